@@ -1,0 +1,20 @@
+# MoserHex::Eigen: ITK's own copy when ITK brings one, else the system's.
+if(NOT TARGET MoserHex::Eigen)
+  set(MoserHex_Eigen_INCLUDE_DIR "")
+  if(TARGET MoserHex::ITK)
+    foreach(directory IN LISTS ITK_INCLUDE_DIRS)
+      if(EXISTS ${directory}/itkeigen/Eigen/Core)
+        set(MoserHex_Eigen_INCLUDE_DIR ${directory}/itkeigen)
+      endif()
+    endforeach()
+  endif()
+  add_library(MoserHex::Eigen INTERFACE IMPORTED GLOBAL)
+  if(MoserHex_Eigen_INCLUDE_DIR)
+    set_target_properties(MoserHex::Eigen PROPERTIES
+      INTERFACE_INCLUDE_DIRECTORIES "${MoserHex_Eigen_INCLUDE_DIR}"
+      INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${MoserHex_Eigen_INCLUDE_DIR}")
+  else()
+    find_package(Eigen3 3.3 QUIET REQUIRED NO_MODULE)
+    set_target_properties(MoserHex::Eigen PROPERTIES INTERFACE_LINK_LIBRARIES Eigen3::Eigen)
+  endif()
+endif()
