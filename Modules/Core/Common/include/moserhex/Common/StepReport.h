@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace moserhex
+{
+
+/** What an iteration did. Every iterative algorithm returns one; nothing that failed is silent. */
+struct StepReport
+{
+  bool        converged{ false }; ///< the algorithm's own criterion was met
+  int         steps{ 0 };         ///< iterations made [1]
+  double      residual{ 0.0 };    ///< value of the criterion at the end, unit stated by the algorithm
+  double      seconds{ 0.0 };     ///< wall time
+  std::string note;               ///< which way was taken, or why it stopped; empty when there is nothing to say
+};
+
+/** Called now and then with the fraction done in [0,1]; returning false asks the algorithm to stop.
+ * An empty function is allowed everywhere and means "never stop". Never called from a worker thread. */
+using ProgressCallback = std::function<bool(double fraction)>;
+
+/** Reports progress; throws Cancelled when the callback returns false. */
+void
+reportProgress(const ProgressCallback & callback, double fraction);
+
+/** The part [from, to] of a larger task, as a callback for a sub-task. */
+[[nodiscard]] ProgressCallback
+progressBetween(const ProgressCallback & callback, double from, double to);
+
+} // namespace moserhex

@@ -1,0 +1,55 @@
+// Exact: control flow only.
+#include "moserhex/Common/Errors.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace moserhex;
+
+TEST(ReportProgress, AcceptsAnEmptyCallback)
+{
+  EXPECT_NO_THROW(reportProgress({}, 0.5));
+}
+
+TEST(ReportProgress, ThrowsCancelledWhenTheCallbackSaysStop)
+{
+  EXPECT_THROW(reportProgress([](double) { return false; }, 0.5), Cancelled);
+  EXPECT_NO_THROW(reportProgress([](double) { return true; }, 0.5));
+}
+
+TEST(ProgressBetween, MapsTheSubTaskIntoItsPart)
+{
+  std::vector<double>    seen;
+  const ProgressCallback whole = [&](double f) {
+    seen.push_back(f);
+    return true;
+  };
+  const ProgressCallback part = progressBetween(whole, 0.25, 0.75);
+  reportProgress(part, 0.0);
+  reportProgress(part, 0.5);
+  reportProgress(part, 1.0);
+  EXPECT_EQ(seen, (std::vector<double>{ 0.25, 0.5, 0.75 }));
+}
+
+TEST(ProgressBetween, PassesTheStopOn)
+{
+  const ProgressCallback part = progressBetween([](double f) { return f < 0.5; }, 0.0, 1.0);
+  EXPECT_NO_THROW(reportProgress(part, 0.4));
+  EXPECT_THROW(reportProgress(part, 0.6), Cancelled);
+}
+
+TEST(NotConverged, CarriesItsReport)
+{
+  StepReport report;
+  report.steps = 17;
+  try
+  {
+    throw NotConverged("stalled", report);
+  }
+  catch (const NotConverged & error)
+  {
+    EXPECT_EQ(error.report.steps, 17);
+    EXPECT_STREQ(error.what(), "stalled");
+  }
+}
