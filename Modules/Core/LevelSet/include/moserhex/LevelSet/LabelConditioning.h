@@ -1,0 +1,93 @@
+#pragma once
+
+#include "moserhex/Common/StepReport.h"
+#include "moserhex/LevelSet/LabelVolume.h"
+#include "moserhex/LevelSet/LevelSet.h"
+#include "moserhex/LevelSet/VoxelTopology.h"
+
+#include <string>
+
+namespace moserhex
+{
+
+struct ConditioningOptions
+{
+  /** Nodes per side of the lattice the solid is meant for; sets the grid spacing when that is 0 [1]. */
+  int nodesPerSide{ 20 };
+
+  /** Spacing of the grid [mm]; 0: automaticSpacing(). */
+  double spacing{ 0.0 };
+
+  /** Standard deviation of the Gaussian that removes the terraces, in units of the largest voxel side [1]. It is never
+   * below 0.7 nodes nor, so that thin labels survive, above 0.15 V^(1/3) unless 0.7 nodes are. */
+  double smoothing{ 0.35 };
+
+  /** A voxel side larger than this times the smallest one makes slices, which are interpolated by shape [1]. */
+  double sliceAnisotropy{ 1.5 };
+
+  /** Smallest Dice coefficient with the label's voxels: a label that the smoothing cannot hold is refused [1]. */
+  double minimumDice{ 0.8 };
+
+  /** How messages name the label. */
+  std::string labelName{ "label" };
+};
+
+/** What was changed on the way from the voxels to the level set. */
+struct ConditioningReport
+{
+  VoxelChange   dropped;                      ///< components other than the largest
+  VoxelChange   filled;                       ///< cavities
+  VoxelTopology labelTopology;                ///< after both: a ball, or the label is refused
+  bool          cutByImageBorder{ false };    ///< the label touches the border of the image and was closed off there
+  int           sliceAxis{ -1 };              ///< axis interpolated by shape; -1: the voxels are (nearly) isotropic
+  double        sigma{ 0.0 };                 ///< of the Gaussian [mm]
+  long          eulerBefore{ 2 };             ///< V - E + F of the surface without topology protection
+  std::size_t   nodesCut{ 0 };                ///< grid nodes that went outside to protect the topology
+  std::size_t   nodesFilled{ 0 };             ///< grid nodes that went inside
+  double        changedVolumeFraction{ 0.0 }; ///< (cut + filled) h^3 / V [1]
+  double        volumeError{ 0.0 };           ///< (volume of phi < 0 - V) / V, exact for the piecewise linear phi [1]
+  double        dice{ 0.0 };                  ///< of the label's voxels and the voxels whose centre has phi < 0 [1]
+  double        seconds{ 0.0 };               ///< wall time
+};
+
+struct ConditionedSolid
+{
+  LevelSet           levelSet;           ///< phi [mm], < 0 inside
+  double             labelVolume{ 0.0 }; ///< V: volume of the voxels of the largest component, cavities filled [mm^3]
+  ConditioningReport report;
+};
+
+/** Half an edge of a cell of the lattice, (V / (n-1)^3)^(1/3) / 2, but not above
+ *
+ *   V^(1/3) / 24    a lattice of few nodes still needs its surface resolved, and
+ *   V / (2A)        A = area of the voxel faces: a sheet gets four nodes across its thickness (but never below half
+ *                   of the first value, so that a folded label does not exhaust the memory).
+ *
+ * \param volume    of the label [mm^3]
+ * \param faceArea  of the faces between inside and outside voxels [mm^2] */
+[[nodiscard]] double
+automaticSpacing(double volume, double faceArea, int nodesPerSide);
+
+/** Turns a label of any (anisotropic, oblique, cut off) image into a solid ball on an isotropic grid along the image
+ * axes.
+ *
+ * 1. Largest 6-connected component; cavities filled; anything but a ball is refused (VoxelTopology.h).
+ * 2. Signed distance: three-dimensional, or, when one voxel side is long, per slice: saturated q -> c tanh(q / c), c =
+ * 3 slices, so that no slice overrules its neighbours; Catmull-Rom across slices; the empty slice next to the label
+ *    mirrors its last slice, |q|, which puts the cap half a slice out, wherever the image ends.
+ * 3. Gaussian, and the level that encloses V.
+ * 4. Topology: homotopic growth from the deepest node, or homotopic shrinking of the box, whichever moves fewer nodes.
+ * 5. Redistance, growth near 0, and the level that encloses V moved to 0.
+ *
+ * Guarantees: {phi < c} is a ball and the level set c one sphere for |c| <= h/4; |grad phi| = 1 near 0 up to O(h);
+ * volume of {phi < 0} = V within 1e-6. The same answer for every origin and direction. Deterministic.
+ *
+ * \throws InvalidInput  empty or invalid label; not a ball ("label 3: V-E+F = 0, need 2 (genus 0)"); thinner than the
+ *         smoothing can hold; options out of range
+ * \throws Cancelled     by the callback */
+[[nodiscard]] ConditionedSolid
+conditionLabel(const LabelVolume &         label,
+               const ConditioningOptions & options = {},
+               const ProgressCallback &    progress = {});
+
+} // namespace moserhex

@@ -1,0 +1,295 @@
+#include "moserhex/LevelSet/LabelConditioning.h"
+
+#include "ShapeInterpolation.h"
+#include "TopologyProtection.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Stopwatch.h"
+#include "moserhex/LevelSet/CubicInterpolation.h"
+#include "moserhex/LevelSet/GaussianSmoothing.h"
+#include "moserhex/LevelSet/KuhnConnectivity.h"
+#include "moserhex/LevelSet/MarchingTetrahedra.h"
+#include "moserhex/LevelSet/SignedDistance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace moserhex
+{
+namespace
+{
+
+constexpr double marginInNodes = 5.0;
+constexpr double smallestSigmaInNodes = 0.7;
+constexpr double largestSigmaOfThinLabels = 0.15; ///< of V^(1/3)
+constexpr double sphericalBand = 0.5;             ///< around the zero level, in spacings
+
+void
+requireValid(const ConditioningOptions & options)
+{
+  const auto require = [&](bool good, const std::string & name, double value, const std::string & range) {
+    if (!good)
+    {
+      std::ostringstream message;
+      message << options.labelName << ": " << name << " is " << value << ", need " << range;
+      throw InvalidInput(message.str());
+    }
+  };
+  require(options.nodesPerSide >= 2, "nodes per side", options.nodesPerSide, ">= 2");
+  require(options.spacing >= 0.0 && std::isfinite(options.spacing), "grid spacing [mm]", options.spacing, ">= 0");
+  require(options.smoothing >= 0.0 && options.smoothing <= 2.0, "smoothing", options.smoothing, "0 to 2");
+  require(options.sliceAnisotropy >= 1.0, "slice anisotropy", options.sliceAnisotropy, ">= 1");
+  require(options.minimumDice >= 0.0 && options.minimumDice <= 1.0, "minimum Dice", options.minimumDice, "0 to 1");
+}
+
+void
+requireBall(const VoxelTopology & topology, const std::string & labelName)
+{
+  if (!topology.isBall())
+  {
+    std::ostringstream message;
+    message << labelName << ": V-E+F = " << topology.surfaceEulerCharacteristic() << ", need 2 (genus 0); "
+            << topology.handles() << (topology.handles() == 1 ? " handle" : " handles")
+            << " in the largest 6-connected component with its cavities filled";
+    throw InvalidInput(message.str());
+  }
+}
+
+[[noreturn]] void
+refuseThin(const std::string & labelName, const std::string & finding, double sigma)
+{
+  std::ostringstream message;
+  message << labelName << ": too thin for a smoothing of sigma " << sigma << " mm (" << finding
+          << "); use less smoothing, a finer image, or a larger label";
+  throw InvalidInput(message.str());
+}
+
+bool
+touchesImageBorder(const LabelVolume & label)
+{
+  const LabelVolume tight = cropAndPad(label, { { 0, 0, 0 } });
+  const Vector3     first = (label.direction.transpose() * (tight.origin - label.origin)).cwiseQuotient(label.spacing);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double lower = first[static_cast<int>(axis)];
+    if (lower < 0.5 || lower + tight.size[axis] > label.size[axis] - 0.5)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Area of the faces between inside and outside voxels; the label has an empty margin. */
+double
+voxelFaceArea(const LabelVolume & padded)
+{
+  const std::array<std::size_t, 3> strides{ { 1, padded.voxelNumber(0, 1, 0), padded.voxelNumber(0, 0, 1) } };
+  double                           area = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    std::size_t faces = 0;
+    for (std::size_t voxel = strides[axis]; voxel < padded.inside.size(); ++voxel)
+    {
+      faces += padded.inside[voxel] != padded.inside[voxel - strides[axis]] ? 1 : 0;
+    }
+    area += static_cast<double>(faces) * padded.voxelVolume() / padded.spacing[static_cast<int>(axis)];
+  }
+  return area;
+}
+
+double
+sigmaOfSmoothing(const ConditioningOptions & options, const Vector3 & voxel, double volume, double spacing)
+{
+  const double wanted = std::min(options.smoothing * voxel.maxCoeff(), largestSigmaOfThinLabels * std::cbrt(volume));
+  return std::max(smallestSigmaInNodes * spacing, wanted);
+}
+
+/** Empty voxels on each side that cover the margin of the grid, and two for the splines across slices. */
+std::array<int, 3>
+voxelsForMargin(const Vector3 & voxel, double margin)
+{
+  std::array<int, 3> voxels{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    voxels[axis] = static_cast<int>(std::ceil(margin / voxel[static_cast<int>(axis)])) + 2;
+  }
+  return voxels;
+}
+
+void
+shift(LevelSet & f, double level)
+{
+  for (double & value : f.values)
+  {
+    value -= level;
+  }
+}
+
+long
+surfaceEulerCharacteristic(const LevelSet & f)
+{
+  std::vector<std::uint8_t> inside(f.values.size());
+  std::transform(f.values.begin(), f.values.end(), inside.begin(), [](double value) {
+    return static_cast<std::uint8_t>(value < 0.0);
+  });
+  return 2 * kuhnEulerCharacteristic(f.grid, inside);
+}
+
+double
+smallestBorderValue(const LevelSet & f)
+{
+  double smallest = f.values.front();
+  for (std::size_t node = 0; node < f.values.size(); ++node)
+  {
+    if (f.grid.isBorder(node))
+    {
+      smallest = std::min(smallest, f.values[node]);
+    }
+  }
+  return smallest;
+}
+
+/** Dice coefficient of the label's voxels and the voxels whose centre has phi < 0. Two spacings away from the surface
+ * the sign of the nearest node is enough. */
+double
+diceWithVoxels(const LabelVolume & label, const LevelSet & phi)
+{
+  const CubicInterpolator interpolator(phi);
+  const RegularGrid &     grid = phi.grid;
+  const auto              isInside = [&](const Vector3 & index) {
+    RegularGrid::Index nearest{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double rounded = index[static_cast<int>(axis)] + 0.5;
+      nearest[axis] = static_cast<int>(std::min(std::max(rounded, 0.0), grid.size[axis] - 1.0));
+    }
+    const double value = phi.values[grid.nodeNumber(nearest[0], nearest[1], nearest[2])];
+    return std::abs(value) > 2.0 * grid.spacing
+                          ? value < 0.0
+                          : interpolator.value(grid.origin + grid.direction * (grid.spacing * index)) < 0.0;
+  };
+  const double step = label.spacing[0] / grid.spacing; // of the grid index from voxel to voxel of a row
+  std::size_t  inLabel = 0;
+  std::size_t  inSolid = 0;
+  std::size_t  inBoth = 0;
+  std::size_t  voxel = 0;
+  for (int k = 0; k < label.size[2]; ++k)
+  {
+    for (int j = 0; j < label.size[1]; ++j)
+    {
+      const Vector3 row = grid.continuousIndex(label.point(0, j, k));
+      for (int i = 0; i < label.size[0]; ++i, ++voxel)
+      {
+        const bool a = label.inside[voxel] != 0;
+        const bool b = isInside(row + Vector3(i * step, 0.0, 0.0));
+        inLabel += a ? 1 : 0;
+        inSolid += b ? 1 : 0;
+        inBoth += a && b ? 1 : 0;
+      }
+    }
+  }
+  return 2.0 * static_cast<double>(inBoth) / static_cast<double>(inLabel + inSolid);
+}
+
+/** Steps 2 and 3: a smooth function whose zero level encloses V, its topology as it happens to be. */
+LevelSet
+smoothShape(const LabelVolume &         ball,
+            double                      volume,
+            double                      spacing,
+            const ConditioningOptions & options,
+            const ConditioningReport &  report)
+{
+  const double      margin = marginInNodes * spacing;
+  const LabelVolume padded = cropAndPad(ball, voxelsForMargin(ball.spacing, margin));
+  const RegularGrid grid = detail::gridAround(ball, spacing, margin);
+  requireValid(grid, options.labelName);
+  LevelSet f = detail::interpolateShape(padded, grid, report.sliceAxis);
+  gaussianSmoothInPlace(f, report.sigma / spacing);
+
+  LevelOfVolumeOptions search;
+  search.upper = smallestBorderValue(f);
+  const VolumeBelowLevel below(f);
+  if (!(below.smallestValue() < search.upper && below.volume(search.upper) > volume))
+  {
+    refuseThin(options.labelName, "no level of the smoothed label encloses its volume", report.sigma);
+  }
+  shift(f, levelOfVolume(below, volume, search));
+  return f;
+}
+
+} // namespace
+
+double
+automaticSpacing(double volume, double faceArea, int nodesPerSide)
+{
+  const double side = std::cbrt(volume);
+  const double halfCell = 0.5 * side / (nodesPerSide - 1);
+  return std::min(std::min(halfCell, side / 24.0), std::max(0.5 * volume / faceArea, 0.5 * halfCell));
+}
+
+ConditionedSolid
+conditionLabel(const LabelVolume & label, const ConditioningOptions & options, const ProgressCallback & progress)
+{
+  const Stopwatch stopwatch;
+  requireValid(options);
+  requireValid(label, options.labelName);
+  ConditionedSolid     solid;
+  ConditioningReport & report = solid.report;
+
+  LabelVolume ball = cropAndPad(label, { { 1, 1, 1 } });
+  report.dropped = keepLargestComponentInPlace(ball);
+  report.filled = fillCavitiesInPlace(ball);
+  report.labelTopology = voxelTopology(ball);
+  requireBall(report.labelTopology, options.labelName);
+  report.cutByImageBorder = touchesImageBorder(label);
+  solid.labelVolume = static_cast<double>(voxelCount(ball)) * ball.voxelVolume();
+  reportProgress(progress, 0.1);
+
+  const double spacing = options.spacing > 0.0
+                           ? options.spacing
+                           : automaticSpacing(solid.labelVolume, voxelFaceArea(ball), options.nodesPerSide);
+  report.sliceAxis = detail::findSliceAxis(ball.spacing, options.sliceAnisotropy);
+  report.sigma = sigmaOfSmoothing(options, ball.spacing, solid.labelVolume, spacing);
+  LevelSet f = smoothShape(ball, solid.labelVolume, spacing, options, report);
+  reportProgress(progress, 0.4);
+
+  report.eulerBefore = surfaceEulerCharacteristic(f);
+  const detail::ProtectionResult protection = detail::makeBallInPlace(f);
+  report.nodesCut = protection.cut;
+  report.nodesFilled = protection.filled;
+  report.changedVolumeFraction =
+    static_cast<double>(protection.cut + protection.filled) * f.grid.cellVolume() / solid.labelVolume;
+  reportProgress(progress, 0.6);
+
+  LevelSet phi = redistance(f);
+  detail::makeLevelsSphericalInPlace(phi, sphericalBand * spacing);
+  reportProgress(progress, 0.8);
+
+  LevelOfVolumeOptions search;
+  search.lower = -0.5 * sphericalBand * spacing;
+  search.upper = 0.5 * sphericalBand * spacing;
+  {
+    const VolumeBelowLevel below(phi);
+    if (!(below.volume(search.lower) <= solid.labelVolume && below.volume(search.upper) >= solid.labelVolume))
+    {
+      refuseThin(options.labelName, "the protected solid cannot hold the label's volume", report.sigma);
+    }
+    shift(phi, levelOfVolume(below, solid.labelVolume, search));
+  }
+  report.volumeError = VolumeBelowLevel(phi).volume(0.0) / solid.labelVolume - 1.0;
+  report.dice = diceWithVoxels(ball, phi);
+  if (report.dice < options.minimumDice)
+  {
+    refuseThin(options.labelName,
+               "Dice coefficient with its voxels " + std::to_string(report.dice) + ", need " +
+                 std::to_string(options.minimumDice),
+               report.sigma);
+  }
+  solid.levelSet = std::move(phi);
+  report.seconds = stopwatch.seconds();
+  reportProgress(progress, 1.0);
+  return solid;
+}
+
+} // namespace moserhex
