@@ -1,0 +1,92 @@
+#pragma once
+
+#include "moserhex/Geometry/HexMesh.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace moserhex
+{
+
+/** Quality of one hexahedron, Verdict's definitions (Stimpson et al., "The Verdict library reference manual", 2007), so
+ * that the numbers equal vtkMeshQuality's. Principal axes: X1 = sum of the four edges along the first reference axis,
+ * X2 and X3 likewise; X12, X13, X23 = the cross derivatives. */
+struct HexCellQuality
+{
+  double volume{ 0.0 };          ///< exact volume of the trilinear hexahedron [mm^3]
+  double minimumJacobian{ 0.0 }; ///< smallest det J at the 8 corners and (over 64) of X1 X2 X3 [mm^3]
+  double scaledJacobian{ 0.0 };  ///< same with unit edge vectors, in [-1,1] [1]
+  double edgeRatio{ 0.0 };       ///< longest / shortest of the 12 edges [1]
+  double aspectRatio{ 0.0 }; ///< max over axis pairs of |Xi| / |Xj|: CUBIT's aspect ratio, Verdict's max edge ratio [1]
+  double taper{ 0.0 };       ///< max over axis pairs of |Xij| / min(|Xi|,|Xj|) [1]
+  double skew{ 0.0 };        ///< largest |cosine| between two principal axes [1]
+  double shape{ 0.0 };       ///< smallest 3 (det J)^(2/3) / |J|^2 of the 8 corners; 0 when one is inverted [1]
+  bool   concave{ false };   ///< det J <= 0 at one of the 8 corners
+};
+
+[[nodiscard]] HexCellQuality
+hexCellQuality(const HexCorners & corners);
+
+/** Distribution of one number over a set of cells. Percentiles: linear between order statistics. */
+struct Distribution
+{
+  double minimum{ 0.0 };
+  double p01{ 0.0 };
+  double p05{ 0.0 };
+  double median{ 0.0 };
+  double mean{ 0.0 };
+  double p95{ 0.0 };
+  double p99{ 0.0 };
+  double maximum{ 0.0 };
+};
+
+/** \throws InvalidInput  empty set */
+[[nodiscard]] Distribution
+distributionOf(std::vector<double> values);
+
+/** Cells by their place in the cube: those that touch two of its faces (along an edge), three (at a corner), or fewer.
+ * The corners of the first two lie on the organ's smooth surface, where the cube's right angle opens to nearly 180
+ * degrees, so their quality has a ceiling of its own. */
+struct HexClassQuality
+{
+  std::size_t cells{ 0 };
+  std::size_t concaveCells{ 0 };
+  double      volumeVariance{ 0.0 }; ///< about the mesh's mean ratio 1 [1]
+  double      scaledJacobianMin{ 0.0 };
+  double      scaledJacobianMedian{ 0.0 };
+};
+
+struct HexQualitySummary
+{
+  std::size_t     cells{ 0 };
+  double          volume{ 0.0 };         ///< sum of the cell volumes [mm^3]
+  double          volumeVariance{ 0.0 }; ///< population variance of volume / mean volume [1]
+  double          ratioMin{ 0.0 };       ///< smallest volume / mean [1]
+  double          ratioMax{ 0.0 };
+  std::size_t     concaveCells{ 0 };
+  double          concavePercent{ 0.0 };
+  Distribution    scaledJacobian;
+  Distribution    minimumJacobian; ///< of volume-normalised cells: minimum Jacobian / mean volume [1]
+  Distribution    aspectRatio;
+  Distribution    taper;
+  Distribution    skew;
+  HexClassQuality corners; ///< the 8 cells at the cube's corners
+  HexClassQuality edges;   ///< the 12 (n-3) cells along its edges
+  HexClassQuality rest;
+};
+
+/** \throws InvalidInput  the number of nodes is not n^3, or a coordinate is not finite (names the node) */
+[[nodiscard]] HexQualitySummary
+summarizeQuality(const HexMesh & mesh);
+
+/** The two numbers the flow watches, cheaper than the whole summary. */
+struct VolumeQuality
+{
+  double      volumeVariance{ 0.0 };
+  std::size_t concaveCells{ 0 };
+  double      concavePercent{ 0.0 };
+};
+[[nodiscard]] VolumeQuality
+volumeQuality(const HexMesh & mesh);
+
+} // namespace moserhex

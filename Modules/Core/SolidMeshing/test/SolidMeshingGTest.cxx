@@ -1,0 +1,140 @@
+// A ball and an ellipsoid whose ordering by volume is known in closed form. Volumes and distances: discretisation
+// class, bounds well above the measured error; frames: round-off through a closest-point search (1e-9); threads: exact.
+#include "moserhex/SolidMeshing/SolidMeshing.h"
+
+#include "moserhex/Analytic/SurfaceShapes.h"
+#include "moserhex/Common/Errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace moserhex;
+
+namespace
+{
+
+constexpr double pi = 3.141592653589793;
+
+/** phi and s of an ellipsoid: phi = first-order signed distance, s = squared relative size. */
+struct OrderedSolid
+{
+  LevelSet phi;
+  LevelSet ordering;
+  double   volume{ 0.0 };
+};
+
+OrderedSolid
+ellipsoid(const Vector3 & semiAxes, double spacing)
+{
+  OrderedSolid solid;
+  RegularGrid  grid;
+  grid.spacing = spacing;
+  for (int a = 0; a < 3; ++a)
+  {
+    const int half = static_cast<int>(std::ceil(semiAxes[a] / spacing)) + 5;
+    grid.size[a] = 2 * half + 1;
+    grid.origin[a] = -half * spacing;
+  }
+  solid.phi.grid = solid.ordering.grid = grid;
+  for (std::size_t node = 0; node < grid.nodeCount(); ++node)
+  {
+    const Vector3 p = grid.point(node);
+    const double  s = p.cwiseQuotient(semiAxes).squaredNorm();
+    const double  slope = p.cwiseQuotient(semiAxes.cwiseProduct(semiAxes)).norm();
+    const double  size = std::sqrt(s);
+    solid.ordering.values.push_back(s);
+    solid.phi.values.push_back(slope > 0.0 ? size * (size - 1.0) / slope : -semiAxes.minCoeff());
+  }
+  solid.volume = 4.0 / 3.0 * pi * semiAxes.prod();
+  return solid;
+}
+
+SolidMeshingOptions
+withShells(int shells, unsigned int threads = 0)
+{
+  SolidMeshingOptions options;
+  options.shells = shells;
+  options.threads = threads;
+  return options;
+}
+
+} // namespace
+
+TEST(MeshSolid, AnEllipsoidBecomesALatticeOfNearlyEqualCells)
+{
+  const OrderedSolid       solid = ellipsoid({ 15.0, 12.0, 10.0 }, 0.75);
+  const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, withShells(5));
+  ASSERT_EQ(result.mesh.nodesPerSide, 10);
+  const HexQualitySummary & quality = *result.stages.back().quality;
+  EXPECT_LE(quality.volumeVariance, 0.01);
+  EXPECT_NEAR(quality.volume / solid.volume, 1.0, 0.03);
+  EXPECT_LE(result.boundary.maximumOfNodes, 0.05);
+  for (const AreaPreservingMapResult & map : result.sphereMaps)
+  {
+    EXPECT_EQ(map.quality.flippedTriangles, 0);
+  }
+}
+
+TEST(MeshSolid, StagesAreNamedInOrderAndCarryQualityFromTheInitialMapOn)
+{
+  const OrderedSolid       solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
+  const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, withShells(3));
+  std::vector<std::string> names;
+  for (const MeshingStageReport & stage : result.stages)
+  {
+    names.push_back(stage.name);
+    EXPECT_EQ(stage.quality.has_value(), names.size() > 2) << stage.name;
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{ "shell surfaces", "sphere maps", "initial map", "smoothing", "moser flow" }));
+}
+
+TEST(MeshSolid, TheResultIsTheSameForAnyNumberOfThreads)
+{
+  const OrderedSolid solid = ellipsoid({ 14.0, 11.0, 9.0 }, 1.0);
+  const HexMesh      one = meshSolid(solid.ordering, solid.phi, solid.volume, withShells(4, 1)).mesh;
+  const HexMesh      three = meshSolid(solid.ordering, solid.phi, solid.volume, withShells(4, 3)).mesh;
+  EXPECT_EQ(one.nodes, three.nodes);
+}
+
+TEST(MeshSolid, StopsWhenTheCallbackSaysSo)
+{
+  const OrderedSolid solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
+  EXPECT_THROW(
+    (void)meshSolid(
+      solid.ordering, solid.phi, solid.volume, withShells(3), [](double fraction) { return fraction < 0.6; }),
+    Cancelled);
+}
+
+TEST(MeshSolid, GridsThatDifferAreRefused)
+{
+  OrderedSolid solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
+  solid.ordering.grid.origin[0] += 0.5;
+  EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, withShells(3)), InvalidInput);
+}
+
+TEST(AlignShellFrames, UndoesATwistBetweenShells)
+{
+  const TriangleMesh              outer = analytic::icosphere(4, 2.0);
+  const TriangleMesh              inner = analytic::icosphere(3, 1.0);
+  const std::vector<TriangleMesh> shells{ inner, outer };
+  const Matrix3                   twist = analytic::rotation(Vector3(1, 2, -1), 0.4);
+  const Positions                 aligned = analytic::icosphere(3).vertices;
+  std::vector<Positions>          maps{ aligned, analytic::icosphere(4).vertices };
+  for (Vector3 & s : maps[0])
+  {
+    s = twist * s;
+  }
+  alignShellFramesInPlace(shells, maps);
+  for (std::size_t v = 0; v < aligned.size(); ++v)
+  {
+    EXPECT_LE((maps[0][v] - aligned[v]).norm(), 1e-9);
+  }
+}
+
+TEST(AlignShellFrames, AnotherNumberOfMapsIsRefused)
+{
+  std::vector<Positions> maps(1);
+  EXPECT_THROW(alignShellFramesInPlace({ analytic::icosphere(1), analytic::icosphere(1) }, maps), InvalidInput);
+}
