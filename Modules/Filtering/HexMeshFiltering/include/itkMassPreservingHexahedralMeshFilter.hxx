@@ -1,0 +1,109 @@
+#ifndef itkMassPreservingHexahedralMeshFilter_hxx
+#define itkMassPreservingHexahedralMeshFilter_hxx
+
+#include "itkLevelSetConversion.h"
+#include "itkMassPreservingHexahedralMeshFilter.h"
+
+#include "moserhex/Common/Stopwatch.h"
+
+#include <itkEventObject.h>
+
+namespace itk
+{
+
+template <typename TLabelImage, typename TMesh>
+void
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (m_Options.shells < 2 || m_Options.shells > 64)
+  {
+    itkExceptionMacro("NumberOfShells is " << m_Options.shells << ", need 2 to 64");
+  }
+}
+
+template <typename TLabelImage, typename TMesh>
+template <typename TFilter>
+double
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::RunStage(TFilter * filter, double from, double to)
+{
+  const moserhex::Stopwatch stopwatch;
+  filter->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  const auto observer = filter->AddObserver(ProgressEvent(), [this, filter, from, to](const EventObject &) {
+    this->UpdateProgress(static_cast<float>(from + (to - from) * filter->GetProgress()));
+    if (this->GetAbortGenerateData())
+    {
+      filter->AbortGenerateDataOn();
+    }
+  });
+  try
+  {
+    filter->Update();
+  }
+  catch (...)
+  {
+    filter->RemoveObserver(observer);
+    throw;
+  }
+  filter->RemoveObserver(observer);
+  return stopwatch.seconds();
+}
+
+template <typename TLabelImage, typename TMesh>
+void
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
+{
+  constexpr double afterConditioning = 0.15;
+  constexpr double afterOrdering = 0.3;
+
+  // The stages work on a graft of the input, so that their requests do not travel up this filter's own pipeline.
+  typename TLabelImage::Pointer label = TLabelImage::New();
+  label->Graft(this->GetInput());
+
+  typename ConditioningFilterType::Pointer conditioning = ConditioningFilterType::New();
+  conditioning->SetInput(label);
+  conditioning->SetLabel(m_Label);
+  conditioning->SetNodesPerSide(2 * m_Options.shells);
+  const double conditioningSeconds = this->RunStage(conditioning.GetPointer(), 0.0, afterConditioning);
+  m_ConditioningReport = conditioning->GetReport();
+  m_LabelVolume = conditioning->GetLabelVolume();
+
+  typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
+  ordering->SetInput(conditioning->GetOutput());
+  ordering->SetMethod(m_ShellMethod);
+  ordering->SetNumberOfShells(m_Options.shells);
+  const double orderingSeconds = this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
+
+  moserhex::SolidMeshingOptions options = m_Options;
+  options.threads = this->GetNumberOfWorkUnits();
+  options.volumeFractions = ordering->GetVolumeFractions();
+  const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
+  const moserhex::LevelSet order = LevelSetFromImage(ordering->GetOutput());
+  m_Result = RunCoreAlgorithm(
+    this,
+    [&](const moserhex::ProgressCallback & progress) {
+      return moserhex::meshSolid(order, phi, m_LabelVolume, options, progress);
+    },
+    afterOrdering,
+    1.0);
+
+  const moserhex::MeshingStageReport first[2] = { { "conditioning", conditioningSeconds, {}, {} },
+                                                  { "shell ordering", orderingSeconds, {}, {} } };
+  m_Result.stages.insert(m_Result.stages.begin(), first, first + 2);
+  CopyHexMeshToItk(m_Result.mesh, this->GetOutput());
+}
+
+template <typename TLabelImage, typename TMesh>
+void
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Label: " << static_cast<typename NumericTraits<LabelType>::PrintType>(m_Label) << std::endl;
+  os << indent << "NumberOfShells: " << m_Options.shells << std::endl;
+  os << indent << "LabelVolume: " << m_LabelVolume << std::endl;
+  os << indent << "Stages: " << m_Result.stages.size() << std::endl;
+}
+
+} // namespace itk
+
+#endif

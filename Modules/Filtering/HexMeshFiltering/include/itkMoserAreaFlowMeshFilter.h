@@ -1,0 +1,87 @@
+#ifndef itkMoserAreaFlowMeshFilter_h
+#define itkMoserAreaFlowMeshFilter_h
+
+#include "itkCoreAlgorithm.h"
+#include "itkTriangleMeshConversion.h"
+
+#include "moserhex/SphericalMap/MoserAreaFlow.h"
+
+#include <itkMeshToMeshFilter.h>
+
+namespace itk
+{
+
+/** \class MoserAreaFlowMeshFilter
+ * \brief Moser's flow on the sphere towards an area-preserving map (stage E, the paper's own).
+ *
+ * Primary input: a map of the surface to the unit sphere without flipped triangles (ConformalSphereMapMeshFilter).
+ * Input "Surface": the surface itself, whose areas are to be kept; same triangles. Output: the improved map. */
+template <typename TInputMesh, typename TOutputMesh = DoubleTriangleMesh>
+class MoserAreaFlowMeshFilter : public MeshToMeshFilter<TInputMesh, TOutputMesh>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(MoserAreaFlowMeshFilter);
+
+  using Self = MoserAreaFlowMeshFilter;
+  using Superclass = MeshToMeshFilter<TInputMesh, TOutputMesh>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(MoserAreaFlowMeshFilter);
+
+  itkSetInputMacro(Surface, TInputMesh);
+  itkGetInputMacro(Surface, TInputMesh);
+
+  itkOptionMacro(Tolerance, double, tolerance);
+  itkOptionMacro(MaximumPasses, int, maximumPasses);
+  itkOptionMacro(StepsPerPass, int, stepsPerPass);
+  itkOptionMacro(LocalBrake, bool, localBrake);
+
+  /** Passes made, area ratio rms reached, and whether the tolerance was met. */
+  itkGetConstReferenceMacro(Report, moserhex::StepReport);
+
+protected:
+  MoserAreaFlowMeshFilter()
+  {
+    this->AddRequiredInputName("Surface");
+  }
+  ~MoserAreaFlowMeshFilter() override = default;
+
+  void
+  GenerateData() override
+  {
+    const moserhex::TriangleMesh surface = TriangleMeshFromItk(this->GetSurface());
+    moserhex::TriangleMesh       sphere = TriangleMeshFromItk(this->GetInput());
+    if (sphere.triangles != surface.triangles)
+    {
+      throw InvalidInputError(
+        __FILE__, __LINE__, "the surface and its map must have the same triangles", this->GetNameOfClass());
+    }
+    RunCoreAlgorithm(this, [&](const moserhex::ProgressCallback & progress) {
+      moserhex::MoserAreaFlowResult flow = moserhex::moserAreaFlow(surface, sphere.vertices, m_Options);
+      m_Report = flow.report;
+      sphere.vertices = std::move(flow.positions);
+      moserhex::reportProgress(progress, 1.0);
+    });
+    CopyTriangleMeshToItk(sphere, this->GetOutput());
+  }
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "Tolerance: " << m_Options.tolerance << std::endl;
+    os << indent << "MaximumPasses: " << m_Options.maximumPasses << std::endl;
+    os << indent << "StepsPerPass: " << m_Options.stepsPerPass << std::endl;
+    os << indent << "LocalBrake: " << m_Options.localBrake << std::endl;
+  }
+
+private:
+  moserhex::MoserAreaFlowOptions m_Options;
+  moserhex::StepReport           m_Report;
+};
+
+} // namespace itk
+
+#endif

@@ -1,0 +1,113 @@
+#ifndef itkLabelConditioningImageFilter_h
+#define itkLabelConditioningImageFilter_h
+
+#include "itkCoreAlgorithm.h"
+
+#include "moserhex/LevelSet/LabelConditioning.h"
+
+#include <itkImage.h>
+#include <itkImageToImageFilter.h>
+
+namespace itk
+{
+
+/** \class LabelConditioningImageFilter
+ * \brief One label of a labelmap to the signed distance of a solid ball on an isotropic grid.
+ *
+ * Largest component, cavities filled, shape interpolated between thick slices, smoothed without a change of topology or
+ * volume: moserhex::conditionLabel(), whose documentation has the steps and the guarantees. Output: phi [mm], negative
+ * inside, on a grid along the axes of the image.
+ *
+ * The size, spacing and origin of the output depend on the pixels of the input. They are known after Update(); before,
+ * the largest possible region of the output is empty. So update this filter before filters that ask for the geometry of
+ * their input are connected to it.
+ *
+ * \par Errors
+ * InvalidInputError: the label is not in the image (the message lists those that are), is not of genus 0 ("label 3:
+ * V-E+F = 0, need 2 (genus 0)"), or is too thin; the image axes are sheared. ProcessAborted. */
+template <typename TLabelImage, typename TOutputImage = Image<double, 3>>
+class ITK_TEMPLATE_EXPORT LabelConditioningImageFilter : public ImageToImageFilter<TLabelImage, TOutputImage>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LabelConditioningImageFilter);
+
+  using Self = LabelConditioningImageFilter;
+  using Superclass = ImageToImageFilter<TLabelImage, TOutputImage>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(LabelConditioningImageFilter);
+
+  using LabelImageType = TLabelImage;
+  using OutputImageType = TOutputImage;
+  using LabelType = typename TLabelImage::PixelType;
+  using ReportType = moserhex::ConditioningReport;
+
+  static_assert(TLabelImage::ImageDimension == 3 && TOutputImage::ImageDimension == 3, "three-dimensional images only");
+
+  /** Value of the label; 0 is the background and refused. Default 1. */
+  itkSetMacro(Label, LabelType);
+  itkGetConstMacro(Label, LabelType);
+
+  /** Nodes per side of the lattice the solid is meant for: sets the spacing of the grid when Spacing is 0. */
+  itkOptionMacro(NodesPerSide, int, nodesPerSide);
+
+  /** Spacing of the grid [mm]; 0: from the volume and NodesPerSide. */
+  itkOptionMacro(Spacing, double, spacing);
+
+  /** Standard deviation of the smoothing in units of the largest voxel side. */
+  itkOptionMacro(Smoothing, double, smoothing);
+
+  /** Ratio of voxel sides above which slices are interpolated by shape. */
+  itkOptionMacro(SliceAnisotropy, double, sliceAnisotropy);
+
+  /** Smallest Dice coefficient with the label's voxels before the label counts as too thin. */
+  itkOptionMacro(MinimumDice, double, minimumDice);
+
+  /** After Update(): volume of the label's largest component, cavities filled [mm^3]. */
+  itkGetConstMacro(LabelVolume, double);
+
+  /** After Update(): what was changed. */
+  const ReportType &
+  GetReport() const
+  {
+    return m_Report;
+  }
+
+protected:
+  LabelConditioningImageFilter() = default;
+  ~LabelConditioningImageFilter() override = default;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+
+  void
+  GenerateOutputInformation() override;
+
+  void
+  GenerateInputRequestedRegion() override;
+
+  void
+  EnlargeOutputRequestedRegion(DataObject * output) override;
+
+  void
+  GenerateData() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  LabelType                     m_Label{ NumericTraits<LabelType>::OneValue() };
+  moserhex::ConditioningOptions m_Options;
+  ReportType                    m_Report;
+  double                        m_LabelVolume{ 0.0 };
+};
+
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#include "itkLabelConditioningImageFilter.hxx"
+#endif
+
+#endif
