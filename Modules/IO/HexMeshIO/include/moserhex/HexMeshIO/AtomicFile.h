@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+/** A file that appears under its final name complete or not at all.
+ *
+ * Write to partName(), then commit(): the part is flushed to the disk, renamed over the final name, and the folder is
+ * flushed. Without commit() the destructor removes the part; after a kill only the part is left.
+ * The part lies in the same folder and ends with the final file's own extension, because writers look at it. */
+class AtomicFile
+{
+public:
+  /** \throws IOError  the folder does not exist or cannot be written, or finalName is a folder */
+  explicit AtomicFile(const std::string & finalName);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile &) = delete;
+  AtomicFile &
+  operator=(const AtomicFile &) = delete;
+
+  [[nodiscard]] const std::string &
+  partName() const
+  {
+    return m_PartName;
+  }
+
+  [[nodiscard]] const std::string &
+  finalName() const
+  {
+    return m_FinalName;
+  }
+
+  /** \throws IOError  the part is missing, or flushing or renaming failed; then the final name is as before */
+  void
+  commit();
+
+private:
+  std::string m_FinalName;
+  std::string m_PartName;
+  bool        m_Committed{ false };
+};
+
+/** Writes a whole text by AtomicFile. \throws IOError */
+void
+writeTextFile(const std::string & fileName, const std::string & text);
+
+/** Removes the parts of all files being written: for a handler of SIGINT and SIGTERM, where destructors do not run.
+ * Async-signal-safe. */
+void
+removeUnfinishedFiles() noexcept;
+
+} // namespace moserhex

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "moserhex/Common/Types.h"
+#include "moserhex/HexMeshIO/FileErrors.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+/** Quality of the mesh after a stage; definitions in the Quality module. */
+struct StageQuality
+{
+  double volumeVariance{ 0.0 };        ///< population variance of the volume ratio [1]
+  double concavePercent{ 0.0 };        ///< cells with a corner Jacobian <= 0 [%]
+  double scaledJacobianMinimum{ 0.0 }; ///< [1]
+  double scaledJacobianMedian{ 0.0 };  ///< [1]
+};
+
+/** One stage of a run. */
+struct StageRecord
+{
+  std::string                 name;
+  double                      seconds{ 0.0 };
+  std::optional<StageQuality> quality; ///< only for stages that leave a mesh
+};
+
+/** What a run read, did and made: written as JSON beside the mesh. Lengths in mm, LPS. */
+struct RunReport
+{
+  struct Input
+  {
+    std::string  file;
+    std::string  sha256;
+    std::int64_t label{ 0 };
+    std::string  labelName;
+    Vector3      spacing{ Vector3::Zero() }; ///< [mm]
+    std::size_t  voxels{ 0 };
+    double       volume{ 0.0 }; ///< voxels x volume of a voxel [mm^3]
+  };
+  struct Parameters
+  {
+    int         shells{ 0 };
+    std::string stage;
+    std::string shellMethod;
+  };
+  struct Mesh
+  {
+    std::string file;
+    std::size_t nodes{ 0 };
+    std::size_t cells{ 0 };
+    double      volume{ 0.0 }; ///< sum of the cell volumes [mm^3]
+  };
+  struct Surface
+  {
+    double rms{ 0.0 };     ///< distance of boundary nodes to the solid's surface [mm]
+    double maximum{ 0.0 }; ///< [mm]
+  };
+  struct Versions
+  {
+    std::string moserhex;
+    std::string git;
+    std::string itk;
+    std::string vtk;
+    std::string eigen;
+  };
+
+  Input                    input;
+  Parameters               parameters;
+  std::vector<StageRecord> stages;
+  Mesh                     mesh;
+  std::optional<Surface>   surface;
+  std::vector<std::string> warnings;
+  Versions                 versions; ///< itk, vtk and eigen are filled in by libraryVersions()
+  unsigned int             threads{ 0 };
+  double                   seconds{ 0.0 }; ///< whole run, wall time
+};
+
+/** Versions of ITK, VTK and Eigen this library was built with. */
+[[nodiscard]] RunReport::Versions
+libraryVersions();
+
+/** The report as JSON: keys in a fixed order, numbers with round-trip precision in the C locale, non-finite numbers as
+ * null, text that is not UTF-8 with replacement characters. */
+[[nodiscard]] std::string
+toJson(const RunReport & report);
+
+/** Writes toJson(report), complete or not at all. \throws IOError */
+void
+writeRunReport(const std::string & fileName, const RunReport & report);
+
+} // namespace moserhex

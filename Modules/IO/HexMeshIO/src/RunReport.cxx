@@ -1,0 +1,98 @@
+#include "moserhex/HexMeshIO/RunReport.h"
+
+#include "moserhex/HexMeshIO/AtomicFile.h"
+
+#include <itkVersion.h>
+#include <vtkVersion.h>
+
+#include <nlohmann/json.hpp>
+
+namespace moserhex
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json
+stageJson(const StageRecord & stage)
+{
+  Json json{ { "name", stage.name }, { "seconds", stage.seconds } };
+  if (stage.quality)
+  {
+    json["volume_variance"] = stage.quality->volumeVariance;
+    json["concave_percent"] = stage.quality->concavePercent;
+    json["sj_min"] = stage.quality->scaledJacobianMinimum;
+    json["sj_median"] = stage.quality->scaledJacobianMedian;
+  }
+  return json;
+}
+
+Json
+inputJson(const RunReport::Input & input)
+{
+  Json json{ { "file", input.file }, { "sha256", input.sha256 }, { "label", input.label } };
+  if (!input.labelName.empty())
+  {
+    json["label_name"] = input.labelName;
+  }
+  json["spacing"] = { input.spacing.x(), input.spacing.y(), input.spacing.z() };
+  json["voxels"] = input.voxels;
+  json["volume_mm3"] = input.volume;
+  return json;
+}
+
+} // namespace
+
+RunReport::Versions
+libraryVersions()
+{
+  RunReport::Versions versions;
+  versions.itk = itk::Version::GetITKVersion();
+  versions.vtk = vtkVersion::GetVTKVersion();
+  versions.eigen = std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                   std::to_string(EIGEN_MINOR_VERSION);
+  return versions;
+}
+
+std::string
+toJson(const RunReport & report)
+{
+  Json json;
+  json["coordinate_system"] = "LPS";
+  json["units"] = "mm";
+  json["input"] = inputJson(report.input);
+  json["parameters"] = { { "shells", report.parameters.shells },
+                         { "stage", report.parameters.stage },
+                         { "shell_method", report.parameters.shellMethod } };
+  json["stages"] = Json::array();
+  for (const StageRecord & stage : report.stages)
+  {
+    json["stages"].push_back(stageJson(stage));
+  }
+  json["mesh"] = { { "file", report.mesh.file },
+                   { "nodes", report.mesh.nodes },
+                   { "cells", report.mesh.cells },
+                   { "volume_mm3", report.mesh.volume } };
+  if (report.surface)
+  {
+    json["surface"] = { { "rms_mm", report.surface->rms }, { "max_mm", report.surface->maximum } };
+  }
+  json["warnings"] = Json(report.warnings);
+  json["versions"] = { { "moserhex", report.versions.moserhex },
+                       { "git", report.versions.git },
+                       { "itk", report.versions.itk },
+                       { "vtk", report.versions.vtk },
+                       { "eigen", report.versions.eigen } };
+  json["threads"] = report.threads;
+  json["seconds"] = report.seconds;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void
+writeRunReport(const std::string & fileName, const RunReport & report)
+{
+  writeTextFile(fileName, toJson(report));
+}
+
+} // namespace moserhex

@@ -1,0 +1,102 @@
+// Numbers must come back with every bit: exact.
+#include "moserhex/HexMeshIO/RunReport.h"
+
+#include "TestFolder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+using namespace moserhex;
+using Json = nlohmann::json;
+
+namespace
+{
+RunReport
+someReport()
+{
+  RunReport report;
+  report.input.file = "case.nrrd";
+  report.input.sha256 = std::string(64, 'a');
+  report.input.label = 3;
+  report.input.spacing = Vector3(0.1, 1.0 / 3.0, 3.0);
+  report.input.voxels = 68000;
+  report.input.volume = 51000.1;
+  report.parameters = { 10, "moser", "chan-vese" };
+  report.stages = { { "conditioning", 0.5, {} }, { "moser", 0.25, StageQuality{ 1e-3, 0.1, -0.05, 0.7 } } };
+  report.mesh = { "mesh.vtu", 8000, 6859, 51000.2 };
+  report.surface = RunReport::Surface{ 0.1, 0.4 };
+  report.warnings = { "the label touches the first slice" };
+  report.versions = libraryVersions();
+  report.threads = 2;
+  return report;
+}
+} // namespace
+
+TEST(RunReport, HasTheDocumentedKeys)
+{
+  const Json json = Json::parse(toJson(someReport()));
+  for (const char * key : { "input", "parameters", "stages", "mesh", "surface", "warnings", "versions", "threads" })
+  {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  for (const char * key : { "file", "sha256", "label", "spacing", "voxels", "volume_mm3" })
+  {
+    EXPECT_TRUE(json["input"].contains(key)) << key;
+  }
+  for (const char * key : { "name", "seconds", "volume_variance", "concave_percent", "sj_min", "sj_median" })
+  {
+    EXPECT_TRUE(json["stages"][1].contains(key)) << key;
+  }
+  EXPECT_FALSE(json["stages"][0].contains("sj_min"));
+  EXPECT_EQ(json["mesh"]["nodes"], 8000);
+  EXPECT_EQ(json["surface"]["max_mm"], 0.4);
+  EXPECT_EQ(json["warnings"].size(), 1u);
+  for (const char * key : { "moserhex", "git", "itk", "vtk", "eigen" })
+  {
+    EXPECT_TRUE(json["versions"].contains(key)) << key;
+  }
+}
+
+TEST(RunReport, NumbersRoundTrip)
+{
+  const Json json = Json::parse(toJson(someReport()));
+  EXPECT_EQ(json["input"]["spacing"][1].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(json["mesh"]["volume_mm3"].get<double>(), 51000.2);
+}
+
+TEST(RunReport, NumberThatIsNotFiniteBecomesNull)
+{
+  RunReport report = someReport();
+  report.stages[1].quality->volumeVariance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(Json::parse(toJson(report))["stages"][1]["volume_variance"].is_null());
+}
+
+TEST(RunReport, NameThatIsNotUtf8IsStillWritten)
+{
+  RunReport report = someReport();
+  report.input.file = "\xE9.nrrd";
+  EXPECT_NO_THROW(Json::parse(toJson(report)));
+}
+
+TEST(RunReport, FileHoldsTheJson)
+{
+  const TestFolder folder;
+  writeRunReport(folder / "report.json", someReport());
+  EXPECT_EQ(readBytes(folder / "report.json"), toJson(someReport()));
+  EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(RunReport, UnwritableFolderIsReported)
+{
+  EXPECT_THROW(writeRunReport("/nonexistent/report.json", someReport()), IOError);
+}
+
+TEST(LibraryVersions, AreFilledIn)
+{
+  const RunReport::Versions versions = libraryVersions();
+  EXPECT_FALSE(versions.itk.empty());
+  EXPECT_FALSE(versions.vtk.empty());
+  EXPECT_FALSE(versions.eigen.empty());
+}
