@@ -1,0 +1,45 @@
+#pragma once
+
+#include "moserhex/HexMeshIO/RunReport.h"
+
+#include <string>
+
+namespace moserhex::app
+{
+
+/** Progress on the standard output: a bar on a terminal, a line for every tenth otherwise, nothing when quiet. */
+class ProgressPrinter
+{
+public:
+  explicit ProgressPrinter(bool quiet);
+  ~ProgressPrinter();
+  ProgressPrinter(const ProgressPrinter &) = delete;
+  ProgressPrinter &
+  operator=(const ProgressPrinter &) = delete;
+
+  /** \param fraction  done, in [0,1]; going back is ignored */
+  void
+  show(double fraction);
+
+private:
+  void
+  clearBar();
+
+  bool m_Quiet;
+  bool m_Terminal;
+  int  m_LastStep{ -1 };
+};
+
+/** One line "warning: ..." on the standard error output. */
+void
+printWarning(const std::string & text);
+
+/** One line "error: ..." of at most 200 characters on the standard error output. */
+void
+printError(const std::string & text);
+
+/** The quality table, one row per stage, and the total time. */
+void
+printQualityTable(const RunReport & report);
+
+} // namespace moserhex::app

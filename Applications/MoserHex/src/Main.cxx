@@ -1,0 +1,147 @@
+#include "Console.h"
+#include "MeshCommand.h"
+#include "SampleCommand.h"
+#include "Signals.h"
+#include "Version.h"
+#include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/HexMeshIO/RunReport.h"
+
+#include <CLI/CLI.hpp>
+
+#include <clocale>
+#include <cstdlib>
+#include <functional>
+
+namespace moserhex::app
+{
+namespace
+{
+
+// sysexits.h has a number for the last one; the others are this program's own.
+enum ExitCode
+{
+  done = 0,
+  wrongUsage = 2,
+  badInput = 3,
+  noValidMesh = 4,
+  inputOutputFailed = 74
+};
+
+std::string
+versionText()
+{
+  const RunReport::Versions versions = libraryVersions();
+  return std::string("moserhex ") + version + " (" + gitDescription + "), ITK " + versions.itk + ", VTK " +
+         versions.vtk + ", Eigen " + versions.eigen;
+}
+
+void
+addMeshCommand(CLI::App & program, MeshCommandOptions & options)
+{
+  CLI::App * command =
+    program.add_subcommand("mesh", "Mesh one label of a labelmap, or the inside of a closed surface");
+  command
+    ->add_option(
+      "INPUT", options.input, "Labelmap (.nrrd .nii .nii.gz .mha .mhd) or surface (.vtk .vtp .stl .obj .ply .off)")
+    ->required();
+  command->add_option("OUTPUT", options.output, "Mesh to write (.vtu or .vtk), LPS millimetres")->required();
+  command->add_option("--shells", options.shells, "Number of shells N: (2N)^3 nodes")
+    ->check(CLI::Range(2, 64))
+    ->capture_default_str();
+  command->add_option("--label", options.label, "Label to mesh; not needed when there is only one");
+  command->add_option("--stage", options.stage, "Last stage to run")
+    ->check(CLI::IsMember({ "initial", "smoothed", "moser" }))
+    ->capture_default_str();
+  command->add_option("--shell-method", options.shellMethod, "How the shells are found")
+    ->check(CLI::IsMember({ "chan-vese", "snapshots", "eikonal" }))
+    ->capture_default_str();
+  command->add_option("--report", options.reportFile, "Write a report of the run as JSON");
+  command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")
+    ->check(CLI::Range(1, 1024));
+  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+}
+
+int
+reportUsage(const CLI::App & program, const CLI::ParseError & error)
+{
+  if (error.get_exit_code() == 0)
+  {
+    return program.exit(error); // --help, --version
+  }
+  printError(std::string(error.what()) + "; see moserhex --help");
+  return wrongUsage;
+}
+
+/** Runs a command and turns what it throws into a line and an exit code. */
+int
+runGuarded(const std::function<void()> & command)
+{
+  try
+  {
+    command();
+    return done;
+  }
+  catch (const UsageError & error)
+  {
+    printError(error.what());
+    return wrongUsage;
+  }
+  catch (const BadInput & error)
+  {
+    printError(error.what());
+    return badInput;
+  }
+  catch (const IOError & error)
+  {
+    printError(error.what());
+    return inputOutputFailed;
+  }
+  catch (const std::exception & error)
+  {
+    printError(error.what());
+    return noValidMesh;
+  }
+}
+
+int
+run(int argc, char ** argv)
+{
+  CLI::App program("Volume-preserving structured hexahedral meshes of genus-zero organs", "moserhex");
+  program.set_version_flag("--version", versionText());
+  program.require_subcommand(1);
+  program.footer("Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 no valid mesh, 74 input or output failed.");
+
+  MeshCommandOptions meshOptions;
+  addMeshCommand(program, meshOptions);
+  std::string sampleFolder;
+  bool        sampleQuiet = false;
+  CLI::App *  sample =
+    program.add_subcommand("sample", "Write a made-up prostate, its zones and a follow-up as labelmaps");
+  sample->add_option("DIR", sampleFolder, "Folder to write to")->required();
+  sample->add_flag("--quiet", sampleQuiet, "Print errors only");
+
+  try
+  {
+    program.parse(argc, argv);
+  }
+  catch (const CLI::ParseError & error)
+  {
+    return reportUsage(program, error);
+  }
+  if (sample->parsed())
+  {
+    return runGuarded([&] { runSampleCommand(sampleFolder, sampleQuiet); });
+  }
+  return runGuarded([&] { runMeshCommand(meshOptions); });
+}
+
+} // namespace
+} // namespace moserhex::app
+
+int
+main(int argc, char ** argv)
+{
+  moserhex::app::installSignalHandlers();
+  const int code = moserhex::app::run(argc, argv);
+  return std::fflush(stdout) == 0 ? code : 74;
+}

@@ -1,0 +1,281 @@
+#include "MeshCommand.h"
+
+#include "Console.h"
+#include "Version.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
+#include "moserhex/Common/Stopwatch.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+#include "moserhex/HexMeshIO/Sha256.h"
+#include "moserhex/HexMeshIO/SurfaceReader.h"
+#include "moserhex/HexMeshIO/SurfaceVoxelisation.h"
+#include "moserhex/Quality/HexQuality.h"
+
+#include <itkMassPreservingHexahedralMeshFilter.h>
+#include <itkMultiThreaderBase.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+namespace moserhex::app
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+using FilterType = itk::MassPreservingHexahedralMeshFilter<LabelImageType, itk::LatticeHexMesh>;
+
+bool
+sameFile(const std::string & a, const std::string & b)
+{
+  std::error_code ignored;
+  return !a.empty() && !b.empty() &&
+         fs::weakly_canonical(fs::absolute(a), ignored) == fs::weakly_canonical(fs::absolute(b), ignored);
+}
+
+/** What can be wrong with the names is found before the work, not after. */
+void
+requireUsableNames(const MeshCommandOptions & options)
+{
+  if (!isHexMeshName(options.output))
+  {
+    throw UsageError(
+      fileMessage(options.output, "not a mesh file's name", "give an OUTPUT that ends with .vtu or .vtk"));
+  }
+  if (!isLabelImageName(options.input) && !isSurfaceName(options.input))
+  {
+    throw BadInput(options.input,
+                   "the name's ending is not that of a labelmap or a surface",
+                   "give .nrrd .nii .nii.gz .mha .mhd, or .vtk .vtp .stl .obj .ply .off");
+  }
+  if (sameFile(options.input, options.output) || sameFile(options.input, options.reportFile))
+  {
+    throw UsageError(fileMessage(options.input, "would be overwritten", "give another name for the output"));
+  }
+  if (sameFile(options.output, options.reportFile))
+  {
+    throw UsageError(fileMessage(options.output, "is both OUTPUT and report", "give the report another name"));
+  }
+}
+
+void
+requireWritable(const std::string & fileName)
+{
+  const AtomicFile probe(fileName);
+}
+
+/** The labelmap of the input: as it is, or a closed surface voxelised as label 1. */
+LabelImage
+readInput(const std::string & fileName)
+{
+  if (isLabelImageName(fileName))
+  {
+    return readLabelImage(fileName);
+  }
+  const TriangleMesh surface = readSurface(fileName);
+  try
+  {
+    const LabelVolume voxels = voxelise(surface);
+    LabelImage        image;
+    image.fileName = fileName;
+    image.image = labelImageOf(voxels);
+    image.labels = { { 1, voxelCount(voxels), "" } };
+    return image;
+  }
+  catch (const InvalidInput & error)
+  {
+    throw BadInput(fileName, error.what(), "give a surface of a compact solid");
+  }
+}
+
+FilterType::ShellMethod
+shellMethodOf(const std::string & name)
+{
+  static const std::map<std::string, FilterType::ShellMethod> methods{
+    { "chan-vese", FilterType::ShellMethod::ChanVese },
+    { "snapshots", FilterType::ShellMethod::Snapshots },
+    { "eikonal", FilterType::ShellMethod::Eikonal },
+  };
+  return methods.at(name);
+}
+
+MeshingStage
+stageOf(const std::string & name)
+{
+  static const std::map<std::string, MeshingStage> stages{
+    { "initial", MeshingStage::Initial },
+    { "smoothed", MeshingStage::Smoothed },
+    { "moser", MeshingStage::Moser },
+  };
+  return stages.at(name);
+}
+
+/** ITK's exceptions carry the filter's name before the message proper. */
+std::string
+descriptionOf(const itk::ExceptionObject & error)
+{
+  return error.GetDescription();
+}
+
+/** The one call of the pipeline: labelmap in, filter with its results out. */
+FilterType::Pointer
+runPipeline(const LabelImage & input, LabelValue label, const MeshCommandOptions & options)
+{
+  const auto      filter = FilterType::New();
+  ProgressPrinter progress(options.quiet);
+  filter->SetInput(input.image);
+  filter->SetLabel(label);
+  filter->SetNumberOfShells(options.shells);
+  filter->SetLastStage(stageOf(options.stage));
+  filter->SetShellMethod(shellMethodOf(options.shellMethod));
+  filter->SetNumberOfWorkUnits(options.threads);
+  filter->AddObserver(itk::ProgressEvent(), [&progress, &filter](const itk::EventObject &) {
+    progress.show(static_cast<double>(filter->GetProgress()));
+  });
+  try
+  {
+    filter->Update();
+  }
+  catch (const itk::InvalidInputError & error)
+  {
+    throw BadInput(options.input, descriptionOf(error), "correct the label in an editor");
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw NoMeshError(fileMessage(options.input, descriptionOf(error), "try another number of shells"));
+  }
+  catch (const std::bad_alloc &)
+  {
+    throw NoMeshError(fileMessage(options.input, "not enough memory", "use fewer shells or crop the image"));
+  }
+  filter->RemoveAllObservers();
+  return filter;
+}
+
+RunReport::Input
+describeInput(const LabelImage & image, const LabelEntry & entry)
+{
+  RunReport::Input input;
+  input.file = image.fileName;
+  input.sha256 = sha256OfFile(image.fileName);
+  input.label = entry.value;
+  input.labelName = entry.name;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    input.spacing[axis] = image.image->GetSpacing()[static_cast<unsigned int>(axis)];
+  }
+  input.voxels = entry.voxels;
+  input.volume = static_cast<double>(entry.voxels) * input.spacing.prod();
+  return input;
+}
+
+void
+describeResult(const SolidMeshingResult & result, const std::vector<MeshingStageReport> & stages, RunReport & report)
+{
+  for (const MeshingStageReport & stage : stages)
+  {
+    StageRecord record{ stage.name, stage.seconds, {} };
+    if (stage.quality)
+    {
+      record.quality = StageQuality{ stage.quality->volumeVariance,
+                                     stage.quality->concavePercent,
+                                     stage.quality->scaledJacobian.minimum,
+                                     stage.quality->scaledJacobian.median };
+      report.mesh.volume = stage.quality->volume;
+    }
+    report.stages.push_back(record);
+  }
+  report.mesh.nodes = result.mesh.nodes.size();
+  report.mesh.cells = result.mesh.cellCount();
+  report.surface = RunReport::Surface{ result.boundary.rms, result.boundary.maximum };
+  report.warnings.insert(report.warnings.end(), result.warnings.begin(), result.warnings.end());
+}
+
+HexMeshFields
+fieldsOf(const HexMesh & mesh)
+{
+  HexMeshFields fields;
+  fields.scaledJacobian.reserve(mesh.cellCount());
+  for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
+  {
+    fields.scaledJacobian.push_back(hexCellQuality(cellCorners(mesh, cell)).scaledJacobian);
+  }
+  return fields;
+}
+
+void
+printSummary(const RunReport & report, const MeshCommandOptions & options)
+{
+  printQualityTable(report);
+  std::printf("\nlabel %lld: %.3f mL; mesh: %zu nodes, %zu cells, %.3f mL",
+              static_cast<long long>(report.input.label),
+              report.input.volume / 1000.0,
+              report.mesh.nodes,
+              report.mesh.cells,
+              report.mesh.volume / 1000.0);
+  if (report.surface)
+  {
+    std::printf("; surface within %.2f mm (rms %.2f)", report.surface->maximum, report.surface->rms);
+  }
+  std::printf("\nmesh    %s\n", options.output.c_str());
+  if (!options.reportFile.empty())
+  {
+    std::printf("report  %s\n", options.reportFile.c_str());
+  }
+}
+
+} // namespace
+
+void
+runMeshCommand(const MeshCommandOptions & userOptions)
+{
+  const Stopwatch    stopwatch;
+  MeshCommandOptions options = userOptions;
+  options.threads = options.threads == 0 ? defaultThreadCount() : options.threads;
+  itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
+
+  requireUsableNames(options);
+  const LabelImage   image = readInput(options.input);
+  const LabelEntry & entry = chooseLabel(image, options.label);
+  requireWritable(options.output);
+  if (!options.reportFile.empty())
+  {
+    requireWritable(options.reportFile);
+  }
+
+  RunReport report;
+  report.input = describeInput(image, entry);
+  report.parameters = { options.shells, options.stage, options.shellMethod };
+  report.threads = options.threads;
+  report.versions = libraryVersions();
+  report.versions.moserhex = version;
+  report.versions.git = gitDescription;
+  report.warnings = image.warnings;
+
+  const auto                 filter = runPipeline(image, entry.value, options);
+  const SolidMeshingResult & result = filter->GetResult();
+  describeResult(result, filter->GetStages(), report);
+  report.mesh.file = options.output;
+
+  writeHexMesh(options.output, result.mesh, fieldsOf(result.mesh));
+  report.seconds = stopwatch.seconds();
+  if (!options.reportFile.empty())
+  {
+    writeRunReport(options.reportFile, report);
+  }
+  for (const std::string & warning : report.warnings)
+  {
+    printWarning(warning);
+  }
+  if (!options.quiet)
+  {
+    printSummary(report, options);
+  }
+}
+
+} // namespace moserhex::app

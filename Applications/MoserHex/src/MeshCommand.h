@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace moserhex::app
+{
+
+struct MeshCommandOptions
+{
+  std::string                 input;
+  std::string                 output;
+  std::string                 reportFile; ///< empty: no report
+  int                         shells{ 10 };
+  std::optional<std::int32_t> label;
+  std::string                 stage{ "moser" };           ///< initial | smoothed | moser
+  std::string                 shellMethod{ "chan-vese" }; ///< chan-vese | snapshots | eikonal
+  unsigned int                threads{ 0 };               ///< 0: all of the machine's
+  bool                        quiet{ false };
+};
+
+/** The command line contradicts itself; found before any work. */
+class UsageError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** No valid mesh came out: a stage did not reach what it promises. */
+class NoMeshError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** Meshes one label, writes the mesh and the report, prints the quality table.
+ * \throws UsageError, BadInput, NoMeshError, IOError */
+void
+runMeshCommand(const MeshCommandOptions & options);
+
+} // namespace moserhex::app

@@ -1,0 +1,320 @@
+// Exact: exit codes, streams and files of the program as a user runs it. A lattice of 4 shells keeps the runs short.
+#include "SampleProstate.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+#include "moserhex/HexMeshIO/LabelImageWriter.h"
+#include "moserhex/HexMeshIO/Sha256.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace moserhex;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+struct Outcome
+{
+  int         exitCode{ -1 };    ///< -1: ended by a signal
+  int         signalNumber{ 0 }; ///< 0: ended by itself
+  std::string out;
+  std::string error;
+};
+
+std::string
+contentOf(const fs::path & path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+/** Starts the program with its streams in files. `fileSizeLimit` > 0 makes larger files fail like a full disk. */
+pid_t
+start(const std::vector<std::string> & arguments, const fs::path & folder, rlim_t fileSizeLimit = 0)
+{
+  const pid_t child = ::fork();
+  if (child == 0)
+  {
+    std::vector<char *> argv{ const_cast<char *>(MOSERHEX_EXECUTABLE) };
+    for (const std::string & argument : arguments)
+    {
+      argv.push_back(const_cast<char *>(argument.c_str()));
+    }
+    argv.push_back(nullptr);
+    ::dup2(::open((folder / "out.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
+    ::dup2(::open((folder / "error.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
+    if (fileSizeLimit > 0)
+    {
+      const rlimit limit{ fileSizeLimit, fileSizeLimit };
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ::execv(MOSERHEX_EXECUTABLE, argv.data());
+    ::_exit(127);
+  }
+  return child;
+}
+
+Outcome
+finish(pid_t child, const fs::path & folder)
+{
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return { WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+           WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+           contentOf(folder / "out.txt"),
+           contentOf(folder / "error.txt") };
+}
+
+/** A folder for the streams, another for the files of a test, and the sample prostate. */
+class CommandLine : public testing::Test
+{
+protected:
+  void
+  SetUp() override
+  {
+    std::string name = (fs::temp_directory_path() / "moserhex-XXXXXX").string();
+    ASSERT_TRUE(::mkdtemp(name.data()));
+    m_Root = name;
+    fs::create_directory(m_Root / "files");
+    fs::create_directory(m_Root / "streams");
+  }
+
+  void
+  TearDown() override
+  {
+    fs::remove_all(m_Root);
+  }
+
+  [[nodiscard]] std::string
+  path(const std::string & name) const
+  {
+    return (m_Root / "files" / name).string();
+  }
+
+  [[nodiscard]] Outcome
+  run(const std::vector<std::string> & arguments, rlim_t fileSizeLimit = 0) const
+  {
+    return finish(start(arguments, m_Root / "streams", fileSizeLimit), m_Root / "streams");
+  }
+
+  [[nodiscard]] std::size_t
+  fileCount() const
+  {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_Root / "files"), fs::directory_iterator()));
+  }
+
+  void
+  writeSample() const
+  {
+    writeLabelImage(path("prostate.nrrd"), makeSampleProstate().gland);
+  }
+
+  fs::path m_Root;
+};
+
+/** One line, at most 200 characters, "error: ...". */
+void
+expectOneLineError(const Outcome & outcome, int exitCode)
+{
+  EXPECT_EQ(outcome.exitCode, exitCode) << outcome.error;
+  EXPECT_EQ(outcome.error.compare(0, 7, "error: "), 0) << outcome.error;
+  EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+  EXPECT_LE(outcome.error.size(), 201u) << outcome.error;
+}
+
+} // namespace
+
+TEST_F(CommandLine, VersionNamesTheProgramAndItsLibraries)
+{
+  const Outcome outcome = run({ "--version" });
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.out.compare(0, 9, "moserhex "), 0);
+  EXPECT_NE(outcome.out.find("ITK"), std::string::npos);
+  EXPECT_TRUE(outcome.error.empty());
+}
+
+TEST_F(CommandLine, HelpNamesEveryOption)
+{
+  const Outcome outcome = run({ "mesh", "--help" });
+  EXPECT_EQ(outcome.exitCode, 0);
+  for (const char * option :
+       { "INPUT", "OUTPUT", "--shells", "--label", "--stage", "--report", "--shell-method", "--threads", "--quiet" })
+  {
+    EXPECT_NE(outcome.out.find(option), std::string::npos) << option;
+  }
+}
+
+TEST_F(CommandLine, WrongUsageEndsWithTwo)
+{
+  expectOneLineError(run({}), 2);
+  expectOneLineError(run({ "polish" }), 2);
+  expectOneLineError(run({ "mesh", "a.nrrd" }), 2);
+  expectOneLineError(run({ "mesh", "a.nrrd", "b.vtu", "--shells", "1" }), 2);
+  expectOneLineError(run({ "mesh", "a.nrrd", "b.vtu", "--stage", "polished" }), 2);
+  expectOneLineError(run({ "mesh", "a.nrrd", "b.vtu", "--threads", "0" }), 2);
+  expectOneLineError(run({ "mesh", "a.nrrd", "b.stl" }), 2);
+  expectOneLineError(run({ "mesh", "a.vtk", "a.vtk" }), 2);
+  expectOneLineError(run({ "mesh", "a.nrrd", "b.vtu", "--report", "./b.vtu" }), 2);
+}
+
+TEST_F(CommandLine, BadInputEndsWithThreeAndLeavesNothing)
+{
+  expectOneLineError(run({ "mesh", path("missing.nrrd"), path("b.vtu") }), 3);
+  expectOneLineError(run({ "mesh", path("image.png"), path("b.vtu") }), 3);
+  EXPECT_EQ(fileCount(), 0u);
+}
+
+TEST_F(CommandLine, SeveralLabelsAreListed)
+{
+  writeLabelImage(path("zones.nrrd"), makeSampleProstate().zones);
+  const Outcome outcome = run({ "mesh", path("zones.nrrd"), path("b.vtu") });
+  expectOneLineError(outcome, 3);
+  EXPECT_NE(outcome.error.find("2 labels: 1, 2"), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("--label"), std::string::npos) << outcome.error;
+}
+
+TEST_F(CommandLine, LabelThatIsNotASphereIsRefusedWithItsNumbers)
+{
+  // A square ring of one-voxel-thick sides would be too thin; this one is a solid torus.
+  LabelVolume ring;
+  ring.size = { 40, 40, 20 };
+  for (int k = 0; k < 20; ++k)
+  {
+    for (int j = 0; j < 40; ++j)
+    {
+      for (int i = 0; i < 40; ++i)
+      {
+        const double distance = std::hypot(std::hypot(i - 19.5, j - 19.5) - 12.0, k - 9.5);
+        ring.inside.push_back(distance < 5.0 ? 1 : 0);
+      }
+    }
+  }
+  writeLabelImage(path("ring.nrrd"), ring);
+  const Outcome outcome = run({ "mesh", path("ring.nrrd"), path("b.vtu") });
+  expectOneLineError(outcome, 3);
+  EXPECT_NE(outcome.error.find("handle"), std::string::npos) << outcome.error;
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(CommandLine, UnwritableOutputEndsWithSeventyFourBeforeTheWork)
+{
+  writeSample();
+  expectOneLineError(run({ "mesh", path("prostate.nrrd"), path("no/b.vtu") }), 74);
+  expectOneLineError(run({ "mesh", path("prostate.nrrd"), path("b.vtu"), "--report", path("no/r.json") }), 74);
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(CommandLine, SampleWritesThreeLabelmaps)
+{
+  const Outcome outcome = run({ "sample", path("sample") });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_TRUE(outcome.error.empty());
+  EXPECT_EQ(readLabelImage(path("sample/prostate.nrrd")).labels.size(), 1u);
+  EXPECT_EQ(readLabelImage(path("sample/prostate_zones.nrrd")).labels.size(), 2u);
+  EXPECT_EQ(readLabelImage(path("sample/prostate_followup.nrrd")).labels.size(), 1u);
+}
+
+TEST_F(CommandLine, SampleOnAFullDiskEndsWithSeventyFourAndLeavesNoFile)
+{
+  const Outcome outcome = run({ "sample", path("sample") }, 300);
+  EXPECT_EQ(outcome.exitCode, 74);
+  EXPECT_TRUE(fs::is_empty(path("sample")));
+}
+
+TEST_F(CommandLine, MeshWritesLatticeReportAndTable)
+{
+  writeSample();
+  const Outcome outcome = run(
+    { "mesh", path("prostate.nrrd"), path("b.vtu"), "--shells", "4", "--stage=initial", "--report", path("r.json") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_EQ(readHexMesh(path("b.vtu")).nodesPerSide, 8);
+  EXPECT_NE(outcome.out.find("vol. var."), std::string::npos);
+  EXPECT_NE(outcome.out.find(path("b.vtu")), std::string::npos);
+  EXPECT_EQ(fileCount(), 3u);
+
+  const auto report = nlohmann::json::parse(contentOf(path("r.json")));
+  EXPECT_EQ(report["input"]["sha256"], sha256OfFile(path("prostate.nrrd")));
+  EXPECT_EQ(report["input"]["label"], 1);
+  EXPECT_EQ(report["parameters"]["stage"], "initial");
+  EXPECT_EQ(report["mesh"]["nodes"], 512);
+  EXPECT_EQ(report["mesh"]["cells"], 343);
+  EXPECT_NEAR(report["mesh"]["volume_mm3"].get<double>(), report["input"]["volume_mm3"].get<double>(), 0.1 * 51000);
+  EXPECT_TRUE(report["stages"].back().contains("volume_variance"));
+  EXPECT_GT(report["threads"], 0);
+}
+
+TEST_F(CommandLine, QuietRunPrintsNothing)
+{
+  writeSample();
+  const Outcome outcome =
+    run({ "mesh", path("prostate.nrrd"), path("b.vtk"), "--shells", "3", "--stage", "initial", "--quiet" });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+}
+
+TEST_F(CommandLine, OneAndTwoThreadsWriteTheSameBytes)
+{
+  writeSample();
+  for (const char * threads : { "1", "2" })
+  {
+    const Outcome outcome = run({ "mesh",
+                                  path("prostate.nrrd"),
+                                  path(std::string("mesh") + threads + ".vtu"),
+                                  "--shells",
+                                  "3",
+                                  "--threads",
+                                  threads });
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  }
+  EXPECT_EQ(contentOf(path("mesh1.vtu")), contentOf(path("mesh2.vtu")));
+}
+
+TEST_F(CommandLine, MeshOnAFullDiskEndsWithSeventyFourAndLeavesNoFile)
+{
+  writeSample();
+  const Outcome outcome =
+    run({ "mesh", path("prostate.nrrd"), path("b.vtu"), "--shells", "3", "--stage", "initial", "--quiet" }, 2000);
+  expectOneLineError(outcome, 74);
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(CommandLine, ClosedSurfaceIsMeshed)
+{
+  // A cube of 40 mm, two triangles a side.
+  std::ofstream(path("cube.off")) << "OFF\n8 12 0\n0 0 0\n40 0 0\n0 40 0\n40 40 0\n0 0 40\n40 0 40\n0 40 40\n40 40 40\n"
+                                     "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n"
+                                     "3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
+  const Outcome outcome = run({ "mesh", path("cube.off"), path("b.vtu"), "--shells", "3", "--stage", "initial" });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_TRUE(fs::exists(path("b.vtu")));
+}
+
+TEST_F(CommandLine, InterruptedRunLeavesNoFile)
+{
+  writeSample();
+  for (const int milliseconds : { 50, 400, 1200 })
+  {
+    const pid_t child = start({ "mesh", path("prostate.nrrd"), path("b.vtu") }, m_Root / "streams");
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    ::kill(child, SIGINT);
+    const Outcome outcome = finish(child, m_Root / "streams");
+    if (outcome.signalNumber == 0)
+    {
+      EXPECT_EQ(outcome.exitCode, 0); // it was faster
+      return;
+    }
+    EXPECT_EQ(outcome.signalNumber, SIGINT);
+    EXPECT_EQ(fileCount(), 1u);
+  }
+}
