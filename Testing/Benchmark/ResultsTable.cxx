@@ -1,0 +1,374 @@
+// moserhex_results DATA OUTPUT.md
+//
+// Writes Documentation/Results.md: the columns of the paper's tables 1 and 2 next to ours, for the labelmaps in
+// DATA/dev/Bosma22b (real prostates) and DATA/classic.
+#include "itkMassPreservingHexahedralMeshFilter.h"
+
+#include "moserhex/Common/Stopwatch.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+namespace
+{
+
+using namespace moserhex;
+using Pipeline = itk::MassPreservingHexahedralMeshFilter<LabelImageType>;
+
+/** One whole run: the filter after Update(), and its wall time. */
+struct Run
+{
+  Pipeline::Pointer pipeline;
+  double            seconds{ 0.0 };
+};
+
+struct RunOptions
+{
+  int                   shells{ 10 };
+  bool                  smoothing{ true };
+  Pipeline::ShellMethod method{ Pipeline::ShellMethod::ChanVese };
+};
+
+Run
+runPipeline(const LabelImage & image, const RunOptions & runOptions)
+{
+  Run                 run{ Pipeline::New(), 0.0 };
+  SolidMeshingOptions options;
+  options.shells = runOptions.shells;
+  if (!runOptions.smoothing)
+  {
+    options.smoothing = withoutSmoothing();
+    options.flow.smoothedPasses = 0;
+  }
+  run.pipeline->SetMeshingOptions(options);
+  run.pipeline->SetShellMethod(runOptions.method);
+  run.pipeline->SetInput(image.image);
+  run.pipeline->SetLabel(chooseLabel(image, std::nullopt).value);
+  const Stopwatch stopwatch;
+  run.pipeline->Update();
+  run.seconds = stopwatch.seconds();
+  return run;
+}
+
+const HexQualitySummary &
+qualityAfter(const Run & run, const std::string & stage)
+{
+  const auto & stages = run.pipeline->GetStages();
+  const auto   found = std::find_if(
+    stages.begin(), stages.end(), [&](const MeshingStageReport & s) { return s.name == stage && s.quality; });
+  if (found == stages.end())
+  {
+    throw std::runtime_error("stage " + stage + " was not run");
+  }
+  return *found->quality;
+}
+
+std::string
+fixed(double value, int digits)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+/** Two significant digits, also for small numbers. */
+std::string
+significant(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << value;
+  return text.str();
+}
+
+double
+medianOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
+double
+largestOf(const std::vector<double> & values)
+{
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+std::vector<std::filesystem::path>
+imagesIn(const std::filesystem::path & folder)
+{
+  std::vector<std::filesystem::path> files;
+  for (const auto & entry : std::filesystem::directory_iterator(folder))
+  {
+    if (isLabelImageName(entry.path().string()))
+    {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string
+caseName(const std::filesystem::path & file)
+{
+  const std::string name = file.filename().string();
+  return name.substr(0, name.find('.'));
+}
+
+struct PaperRow
+{
+  double concave, variance, concaveSmoothed, varianceSmoothed, seconds;
+};
+
+/** Table 2 of the paper: ten prostates. */
+constexpr PaperRow paperProstates[] = { { 6.52, 0.33, 0.89, 0.81, 375 },  { 8.53, 1.27, 1.21, 0.34, 310 },
+                                        { 6.62, 1.11, 1.69, 0.32, 297 },  { 10.75, 1.54, 0.54, 0.41, 393 },
+                                        { 4.75, 1.28, 0.67, 0.35, 288 },  { 13.52, 1.27, 3.19, 0.55, 284 },
+                                        { 18.37, 1.54, 2.26, 0.17, 295 }, { 13.46, 1.52, 1.02, 0.15, 302 },
+                                        { 11.52, 0.86, 0.90, 0.16, 301 }, { 14.19, 0.68, 1.24, 0.11, 392 } };
+
+/** Collects columns of numbers and prints their median and worst. */
+class Columns
+{
+public:
+  void
+  add(const std::string & column, double value)
+  {
+    m_Values[column].push_back(value);
+  }
+
+  [[nodiscard]] double
+  median(const std::string & column) const
+  {
+    return medianOf(m_Values.at(column));
+  }
+
+  [[nodiscard]] double
+  worst(const std::string & column) const
+  {
+    return largestOf(m_Values.at(column));
+  }
+
+private:
+  std::map<std::string, std::vector<double>> m_Values;
+};
+
+void
+writePaperRows(std::ostream & os)
+{
+  Columns columns;
+  for (const PaperRow & row : paperProstates)
+  {
+    columns.add("concave", row.concave);
+    columns.add("variance", row.variance);
+    columns.add("concave smoothed", row.concaveSmoothed);
+    columns.add("variance smoothed", row.varianceSmoothed);
+    columns.add("seconds", row.seconds);
+  }
+  for (const bool worst : { false, true })
+  {
+    const auto value = [&](const char * column) { return worst ? columns.worst(column) : columns.median(column); };
+    os << "| *paper, 10 prostates, " << (worst ? "worst" : "median") << "* | | > 10 | " << fixed(value("concave"), 2)
+       << " | " << fixed(value("variance"), 2) << " | " << fixed(value("concave smoothed"), 2) << " | "
+       << fixed(value("variance smoothed"), 2) << " | " << fixed(value("seconds"), 0) << " | | | |\n";
+  }
+}
+
+void
+writeProstates(std::ostream & os, const std::filesystem::path & folder)
+{
+  os
+    << "## Prostates: the paper's table 2\n\n"
+       "8000 nodes, 6859 hexahedra (N = 10). \"Initial\" is the variance after the shells are joined, before any\n"
+       "smoothing or flow. The paper's times are MATLAB on a 2.66 GHz dual core.\n\n"
+       "| case | mL | initial vol. var. | % concave | vol. var. | % concave (w/ smooth) | vol. var. (w/ smooth) | time "
+       "(s) | SJ min | SJ median | boundary max (mm) |\n"
+       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  Columns                                    columns;
+  std::map<std::string, std::vector<double>> seconds;
+  std::vector<std::string>                   order;
+  Columns                                    shells;
+  for (const auto & file : imagesIn(folder))
+  {
+    std::cerr << caseName(file) << std::endl;
+    const LabelImage image = readLabelImage(file.string());
+    const Run        smooth = runPipeline(image, {});
+    RunOptions       plainOptions;
+    plainOptions.smoothing = false;
+    const Run  plain = runPipeline(image, plainOptions);
+    RunOptions snapshotOptions = plainOptions;
+    snapshotOptions.method = Pipeline::ShellMethod::Snapshots;
+    const Run  snapshots = runPipeline(image, snapshotOptions);
+    RunOptions eikonalOptions;
+    eikonalOptions.method = Pipeline::ShellMethod::Eikonal;
+    const Run eikonal = runPipeline(image, eikonalOptions);
+
+    const HexQualitySummary &  initial = qualityAfter(smooth, "initial map");
+    const HexQualitySummary &  raw = qualityAfter(plain, "moser flow");
+    const HexQualitySummary &  final = qualityAfter(smooth, "moser flow");
+    const SolidMeshingResult & result = smooth.pipeline->GetResult();
+    const double               millilitres = smooth.pipeline->GetLabelVolume() / 1000.0;
+    os << "| " << caseName(file) << " | " << fixed(millilitres, 1) << " | " << significant(initial.volumeVariance)
+       << " | " << fixed(raw.concavePercent, 2) << " | " << significant(raw.volumeVariance) << " | "
+       << fixed(final.concavePercent, 2) << " | " << significant(final.volumeVariance) << " | "
+       << fixed(smooth.seconds, 1) << " | " << fixed(final.scaledJacobian.minimum, 2) << " | "
+       << fixed(final.scaledJacobian.median, 2) << " | " << fixed(result.boundary.maximum, 2) << " |\n";
+
+    columns.add("initial", initial.volumeVariance);
+    columns.add("concave", raw.concavePercent);
+    columns.add("variance", raw.volumeVariance);
+    columns.add("concave smoothed", final.concavePercent);
+    columns.add("variance smoothed", final.volumeVariance);
+    columns.add("seconds", smooth.seconds);
+    columns.add("boundary", result.boundary.maximum);
+    columns.add("snapshot initial", qualityAfter(snapshots, "initial map").volumeVariance);
+    columns.add("snapshot concave", qualityAfter(snapshots, "moser flow").concavePercent);
+    columns.add("snapshot variance", qualityAfter(snapshots, "moser flow").volumeVariance);
+    columns.add("eikonal initial", qualityAfter(eikonal, "initial map").volumeVariance);
+    columns.add("eikonal concave", qualityAfter(eikonal, "moser flow").concavePercent);
+    columns.add("eikonal variance", qualityAfter(eikonal, "moser flow").volumeVariance);
+    shells.add("volume error", 100.0 * result.shells.worstVolumeError);
+    shells.add("gap", -result.shells.smallestRelativeGap());
+    shells.add("angle", -result.shells.minimumAngle);
+    for (const AreaPreservingMapResult & map : result.sphereMaps)
+    {
+      shells.add("flips", map.quality.flippedTriangles);
+      shells.add("rms", map.quality.areaRatioRms);
+      shells.add("solid angle", std::abs(map.quality.solidAngleSum - 12.566370614359172));
+    }
+    for (const MeshingStageReport & stage : smooth.pipeline->GetStages())
+    {
+      if (seconds.find(stage.name) == seconds.end())
+      {
+        order.push_back(stage.name);
+      }
+      seconds[stage.name].push_back(stage.seconds);
+    }
+  }
+  for (const bool worst : { false, true })
+  {
+    const auto value = [&](const char * column) { return worst ? columns.worst(column) : columns.median(column); };
+    os << "| **" << (worst ? "worst" : "median") << "** | | " << significant(value("initial")) << " | "
+       << fixed(value("concave"), 2) << " | " << significant(value("variance")) << " | "
+       << fixed(value("concave smoothed"), 2) << " | " << significant(value("variance smoothed")) << " | "
+       << fixed(value("seconds"), 1) << " | | | " << fixed(value("boundary"), 2) << " |\n";
+  }
+  writePaperRows(os);
+
+  os << "\n## How the shells are made\n\n"
+        "| shells | initial vol. var., median / worst | % concave, median / worst | vol. var., median / worst |\n"
+        "| --- | --- | --- | --- |\n";
+  const auto row = [&](const std::string & name, const std::string & a, const std::string & b, const std::string & c) {
+    os << "| " << name << " | " << significant(columns.median(a)) << " / " << significant(columns.worst(a)) << " | "
+       << fixed(columns.median(b), 2) << " / " << fixed(columns.worst(b), 2) << " | " << significant(columns.median(c))
+       << " / " << significant(columns.worst(c)) << " |\n";
+  };
+  row("coupled Chan-Vese, smoothed", "initial", "concave smoothed", "variance smoothed");
+  row("coupled Chan-Vese, no smoothing", "initial", "concave", "variance");
+  row("eikonal, smoothed", "eikonal initial", "eikonal concave", "eikonal variance");
+  row(
+    "uncoupled snapshots (the paper's way), no smoothing", "snapshot initial", "snapshot concave", "snapshot variance");
+
+  os << "\n## Shells and sphere maps of these prostates\n\n"
+        "| measure | worst |\n| --- | --- |\n"
+     << "| shell volume error | " << significant(shells.worst("volume error")) << " % |\n"
+     << "| smallest gap between shells / mean gap | " << fixed(-shells.worst("gap"), 2) << " |\n"
+     << "| smallest angle of a triangle | " << fixed(-shells.worst("angle"), 1) << " degrees |\n"
+     << "| flipped triangles on the sphere | " << fixed(shells.worst("flips"), 0) << " |\n"
+     << "| area ratio rms per triangle | " << significant(shells.worst("rms")) << " |\n"
+     << "| solid angles, difference from 4 pi | " << significant(shells.worst("solid angle")) << " |\n";
+
+  os << "\n## Seconds per stage\n\n| stage | median | worst |\n| --- | --- | --- |\n";
+  for (const std::string & stage : order)
+  {
+    os << "| " << stage << " | " << fixed(medianOf(seconds[stage]), 2) << " | " << fixed(largestOf(seconds[stage]), 2)
+       << " |\n";
+  }
+}
+
+void
+writeClassics(std::ostream & os, const std::filesystem::path & folder)
+{
+  struct Model
+  {
+    const char * paperName;
+    const char * file;
+    int          shells;
+    const char * paperVariance;
+    const char * paperConcave;
+  };
+  const Model models[] = { { "Max-Planck 1", "maxplanck_choi", 6, "0.25", "14.9" },
+                           { "Max-Planck 2", "maxplanck_choi", 7, "0.22", "11.6" },
+                           { "squirrel", "squirrel_vhacd", 8, "0.24", "11.1" },
+                           { "tooth", "tooth_tora", 6, "0.18", "16.4" },
+                           { "brain", "brain_choi", 7, "0.13", "7.20" },
+                           { "(Buddha)", "buddha_choi", 10, "", "" },
+                           { "(hippocampus)", "hippocampus_choi", 10, "", "" } };
+  os << "\n## Classic shapes: the paper's table 1\n\n"
+        "Models of the same name, voxelised; not the paper's own files. Models in brackets are not in its table.\n\n"
+        "| model | nodes | hexahedra | vol. var., paper | vol. var. | % concave, paper | % concave | SJ median | note "
+        "|\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const Model & model : models)
+  {
+    std::cerr << model.file << std::endl;
+    const int n = 2 * model.shells;
+    os << "| " << model.paperName << " | " << n * n * n << " | " << (n - 1) * (n - 1) * (n - 1) << " | "
+       << model.paperVariance << " | ";
+    try
+    {
+      RunOptions options;
+      options.shells = model.shells;
+      const Run run = runPipeline(readLabelImage((folder / (std::string(model.file) + ".nii.gz")).string()), options);
+      const HexQualitySummary & final = qualityAfter(run, "moser flow");
+      os << significant(final.volumeVariance) << " | " << model.paperConcave << " | " << fixed(final.concavePercent, 2)
+         << " | " << fixed(final.scaledJacobian.median, 2) << " | |\n";
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      os << "- | " << model.paperConcave << " | - | - | refused: " << error.GetDescription() << " |\n";
+    }
+    catch (const Error & error)
+    {
+      os << "- | " << model.paperConcave << " | - | - | refused: " << error.what() << " |\n";
+    }
+  }
+}
+
+} // namespace
+
+int
+main(int argc, char ** argv)
+{
+  if (argc != 3)
+  {
+    std::cerr << "usage: moserhex_results DATA OUTPUT.md\n";
+    return 2;
+  }
+  try
+  {
+    const std::filesystem::path data = argv[1];
+    std::ostringstream          text;
+    text << "# Results\n\n"
+            "Written by `moserhex_results DATA Documentation/Results.md` (preset `bench`); do not edit by hand.\n"
+            "Data: PI-CAI prostate segmentations (CC BY-NC 4.0, Saha et al., Lancet Oncol 2024) and classic shapes;\n"
+            "neither is part of this repository. Volume variance, % concave and scaled Jacobian (SJ) as defined in\n"
+            "`Modules/Core/Quality/README.md`.\n\n";
+    writeProstates(text, data / "dev" / "Bosma22b");
+    writeClassics(text, data / "classic");
+    writeTextFile(argv[2], text.str());
+  }
+  catch (const std::exception & error)
+  {
+    std::cerr << "moserhex_results: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

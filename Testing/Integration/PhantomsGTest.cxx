@@ -1,0 +1,58 @@
+// Whole runs on solids with known volumes. Bounds are contracts: those of the README's table, not of what was measured
+// on the day the test was written.
+#include "PipelineRun.h"
+
+#include "moserhex/Analytic/SolidShapes.h"
+
+#include <gtest/gtest.h>
+
+using namespace moserhex;
+using namespace moserhex::integration;
+
+namespace
+{
+
+class Phantoms : public testing::TestWithParam<analytic::Solid>
+{};
+
+std::string
+nameOf(const testing::TestParamInfo<analytic::Solid> & info)
+{
+  std::string name;
+  for (const char c : info.param.name)
+  {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+    {
+      name += c;
+    }
+  }
+  return name;
+}
+
+} // namespace
+
+TEST_P(Phantoms, GiveAMeshOfNearlyEqualCellsOnTheSurface)
+{
+  const analytic::Solid & solid = GetParam();
+  const LabelVolume       label = analytic::labelVolume(solid);
+  const auto              pipeline = runPipeline(labelImage(label));
+
+  const WorstSphereMap maps = worstSphereMap(*pipeline);
+  EXPECT_EQ(maps.flippedTriangles, 0);
+  EXPECT_LE(maps.solidAngleError, 1e-9);
+  EXPECT_LE(maps.areaRatioRms, 0.01);
+
+  const ShellSurfacesSummary & shells = pipeline->GetResult().shells;
+  EXPECT_LE(shells.worstVolumeError, 1e-3);
+  EXPECT_EQ(shells.notNested, 0u);
+
+  const HexQualitySummary & initial = qualityAfter(*pipeline, "initial map");
+  const HexQualitySummary & final = qualityAfter(*pipeline, "moser flow");
+  EXPECT_EQ(final.cells, 6859u);
+  EXPECT_LE(final.volumeVariance, 0.15);
+  EXPECT_LE(final.volumeVariance, initial.volumeVariance);
+  EXPECT_NEAR(final.volume, pipeline->GetLabelVolume(), 0.03 * pipeline->GetLabelVolume());
+  EXPECT_LE(pipeline->GetResult().boundary.maximumOfNodes, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Phantoms, testing::ValuesIn(analytic::solids()), nameOf);

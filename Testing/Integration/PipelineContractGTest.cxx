@@ -1,0 +1,185 @@
+// Exact: bytes, counts and kinds of errors.
+#include "PipelineRun.h"
+
+#include "moserhex/Analytic/SolidShapes.h"
+
+#include <itkCommand.h>
+
+#include <gtest/gtest.h>
+
+using namespace moserhex;
+using namespace moserhex::integration;
+
+namespace
+{
+
+PipelineOptions
+small(unsigned int threads = 2)
+{
+  PipelineOptions options;
+  options.shells = 4;
+  options.threads = threads;
+  return options;
+}
+
+LabelImage::Pointer
+ballImage()
+{
+  return labelImage(analytic::labelVolume(analytic::ball(12.0)));
+}
+
+/** A ball with a tunnel along z. */
+LabelImage::Pointer
+torusImage()
+{
+  LabelVolume label = analytic::labelVolume(analytic::ball(12.0));
+  for (int k = 0; k < label.size[2]; ++k)
+  {
+    for (int j = 0; j < label.size[1]; ++j)
+    {
+      for (int i = 0; i < label.size[0]; ++i)
+      {
+        const double x = i - 0.5 * (label.size[0] - 1);
+        const double y = j - 0.5 * (label.size[1] - 1);
+        if (x * x + y * y < 16.0)
+        {
+          label
+            .inside[i + static_cast<std::size_t>(label.size[0]) * (j + static_cast<std::size_t>(label.size[1]) * k)] =
+            0;
+        }
+      }
+    }
+  }
+  return labelImage(label);
+}
+
+} // namespace
+
+TEST(PipelineContract, TheResultIsTheSameForAnyNumberOfThreads)
+{
+  const auto    image = labelImage(analytic::labelVolume(analytic::bumpyBall(14.0)));
+  const HexMesh one = runPipeline(image, small(1))->GetHexMesh();
+  for (const unsigned int threads : { 2u, 3u })
+  {
+    const HexMesh other = runPipeline(image, small(threads))->GetHexMesh();
+    ASSERT_EQ(one.nodes.size(), other.nodes.size());
+    for (std::size_t node = 0; node < one.nodes.size(); ++node)
+    {
+      ASSERT_EQ(one.nodes[node], other.nodes[node]) << "node " << node << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST(PipelineContract, OutputIsTheLatticeWithItsData)
+{
+  const auto   pipeline = runPipeline(ballImage(), small());
+  const auto * mesh = pipeline->GetOutput();
+  ASSERT_EQ(mesh->GetNumberOfPoints(), 512u);
+  ASSERT_EQ(mesh->GetNumberOfCells(), 343u);
+  EXPECT_NO_THROW((void)itk::HexMeshFromItk(mesh));
+
+  itk::LatticePointData point;
+  ASSERT_TRUE(mesh->GetPointData()->GetElementIfIndexExists(3 + 8 * (5 + 8 * 7), &point));
+  EXPECT_EQ(point[0], 3);
+  EXPECT_EQ(point[1], 5);
+  EXPECT_EQ(point[2], 7);
+  EXPECT_EQ(point[3], 4);
+
+  double sum = 0.0;
+  for (itk::IdentifierType cell = 0; cell < 343; ++cell)
+  {
+    sum += mesh->GetCellData()->ElementAt(cell)[1];
+  }
+  EXPECT_NEAR(sum / 343, 1.0, 1e-12);
+  EXPECT_EQ(mesh->GetCellData()->ElementAt(171)[0], 1); // the middle cell
+}
+
+TEST(PipelineContract, EarlierStagesStopTheChain)
+{
+  PipelineOptions options = small();
+  options.lastStage = MeshingStage::Initial;
+  const auto initial = runPipeline(ballImage(), options);
+  EXPECT_EQ(initial->GetStages().back().name, "initial map");
+  options.lastStage = MeshingStage::Smoothed;
+  const auto smoothed = runPipeline(ballImage(), options);
+  EXPECT_EQ(smoothed->GetStages().back().name, "smoothing");
+  EXPECT_EQ(qualityAfter(*smoothed, "initial map").volumeVariance,
+            qualityAfter(*initial, "initial map").volumeVariance);
+}
+
+TEST(PipelineContract, EveryShellMethodGivesAMesh)
+{
+  for (const auto method :
+       { Pipeline::ShellMethod::ChanVese, Pipeline::ShellMethod::Snapshots, Pipeline::ShellMethod::Eikonal })
+  {
+    PipelineOptions options = small();
+    options.method = method;
+    const auto pipeline = runPipeline(ballImage(), options);
+    EXPECT_EQ(pipeline->GetHexMesh().nodes.size(), 512u);
+  }
+}
+
+TEST(PipelineContract, ATorusIsRefusedWithItsNumbers)
+{
+  try
+  {
+    (void)runPipeline(torusImage(), small());
+    FAIL() << "a torus was accepted";
+  }
+  catch (const itk::InvalidInputError & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("V-E+F = 0, need 2"), std::string::npos)
+      << error.GetDescription();
+  }
+}
+
+TEST(PipelineContract, AnAbsentLabelIsRefused)
+{
+  PipelineOptions options = small();
+  options.label = 7;
+  EXPECT_THROW((void)runPipeline(ballImage(), options), itk::InvalidInputError);
+}
+
+TEST(PipelineContract, TooFewShellsAreRefused)
+{
+  PipelineOptions options = small();
+  options.shells = 1;
+  EXPECT_THROW((void)runPipeline(ballImage(), options), itk::ExceptionObject);
+}
+
+TEST(PipelineContract, AbortStopsTheRunFromEveryStage)
+{
+  const auto image = ballImage();
+  for (const double when : { 0.05, 0.2, 0.35, 0.82 })
+  {
+    auto pipeline = Pipeline::New();
+    pipeline->SetInput(image);
+    pipeline->SetNumberOfShells(4);
+    Pipeline * raw = pipeline.GetPointer();
+    pipeline->AddObserver(itk::ProgressEvent(), [raw, when](const itk::EventObject &) {
+      if (raw->GetProgress() >= when)
+      {
+        raw->AbortGenerateDataOn();
+      }
+    });
+    EXPECT_THROW(pipeline->Update(), itk::ProcessAborted) << "at " << when;
+  }
+}
+
+TEST(PipelineContract, ProgressGrowsToOne)
+{
+  auto pipeline = Pipeline::New();
+  pipeline->SetInput(ballImage());
+  pipeline->SetNumberOfShells(4);
+  Pipeline *  raw = pipeline.GetPointer();
+  float       last = 0.0F;
+  std::size_t events = 0;
+  pipeline->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+    EXPECT_GE(raw->GetProgress(), last);
+    last = raw->GetProgress();
+    ++events;
+  });
+  pipeline->Update();
+  EXPECT_EQ(last, 1.0F);
+  EXPECT_GE(events, 10u);
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "itkMassPreservingHexahedralMeshFilter.h"
+
+#include "moserhex/LevelSet/LabelVolume.h"
+
+#include <itkImage.h>
+
+namespace moserhex::integration
+{
+
+using LabelImage = itk::Image<short, 3>;
+using Pipeline = itk::MassPreservingHexahedralMeshFilter<LabelImage>;
+
+/** The voxels of a label as an ITK image: `value` inside, 0 outside. */
+[[nodiscard]] LabelImage::Pointer
+labelImage(const LabelVolume & label, short value = 1);
+
+struct PipelineOptions
+{
+  int                   shells{ 10 };
+  short                 label{ 1 };
+  unsigned int          threads{ 2 };
+  Pipeline::ShellMethod method{ Pipeline::ShellMethod::ChanVese };
+  MeshingStage          lastStage{ MeshingStage::Moser };
+};
+
+/** Runs the whole chain and returns the updated filter. Throws what the filter throws. */
+[[nodiscard]] Pipeline::Pointer
+runPipeline(const LabelImage * image, const PipelineOptions & options = {});
+
+/** Quality of the mesh after the named stage ("initial map", "smoothing", "moser flow").
+ * \throws std::out_of_range  when the stage was not run */
+[[nodiscard]] const HexQualitySummary &
+qualityAfter(const Pipeline & pipeline, const std::string & stage);
+
+/** Largest number of flipped triangles, |sum of solid angles - 4 pi| and area ratio rms over all shells. */
+struct WorstSphereMap
+{
+  int    flippedTriangles{ 0 };
+  double solidAngleError{ 0.0 };
+  double areaRatioRms{ 0.0 };
+};
+[[nodiscard]] WorstSphereMap
+worstSphereMap(const Pipeline & pipeline);
+
+} // namespace moserhex::integration
