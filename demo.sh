@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the command, makes the sample prostate, meshes it, and says where the files are.
+# Usage: ./demo.sh [FOLDER]     FOLDER for the results, default moserhex-demo
+set -euo pipefail
+results=$(realpath -m "${1:-$(dirname "$0")/moserhex-demo}")
+cd "$(dirname "$0")"
+. .ci/common.sh
+
+install_packages $build_packages
+cmake --preset release -DMoserHex_BUILD_TESTING=OFF > /dev/null
+cmake --build --preset release --target moserhex --parallel "$(build_jobs)"
+moserhex=$PWD/build/release/Applications/MoserHex/moserhex
+
+echo
+"$moserhex" sample "$results"
+echo
+"$moserhex" mesh "$results/prostate.nrrd" "$results/prostate.vtu" --report "$results/prostate.json"
+echo
+echo "Open $results/prostate.vtu in ParaView or 3D Slicer. The same for your own labelmap:"
+echo "  $moserhex mesh YOUR.nii.gz OUTPUT.vtu"

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything, runs the whole test suite; then the same for Core alone, without ITK.
+# Usage: ./test.sh [ctest options], for example ./test.sh --label-regex HexMap
+set -euo pipefail
+cd "$(dirname "$0")"
+. .ci/common.sh
+
+install_packages $build_packages $test_packages
+for preset in release core-only; do
+  echo "== $preset"
+  cmake --preset $preset -DMoserHex_BUILD_TESTING=ON
+  cmake --build --preset $preset --parallel "$(build_jobs)"
+  ctest --preset $preset --parallel 2 "$@"
+done
+echo "All tests passed."
