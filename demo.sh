@@ -6,8 +6,9 @@ results=$(realpath -m "${1:-$(dirname "$0")/moserhex-demo}")
 cd "$(dirname "$0")"
 . .ci/common.sh
 
-install_packages $build_packages
-cmake --preset release -DMoserHex_BUILD_TESTING=OFF > /dev/null
+install_packages
+use_ccache
+cmake --preset release > /dev/null
 cmake --build --preset release --target moserhex --parallel "$(build_jobs)"
 moserhex=$PWD/build/release/Applications/MoserHex/moserhex
 

@@ -5,10 +5,11 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/common.sh
 
-install_packages $build_packages $test_packages
+install_packages
+use_ccache
 for preset in release core-only; do
   echo "== $preset"
-  cmake --preset $preset -DMoserHex_BUILD_TESTING=ON
+  cmake --preset $preset
   cmake --build --preset $preset --parallel "$(build_jobs)"
   ctest --preset $preset --parallel 2 "$@"
 done

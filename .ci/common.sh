@@ -1,17 +1,16 @@
 # Shared by demo.sh, test.sh and .ci/run: sourced, not run. Debian 12 package names live here and nowhere else.
 
-build_packages="build-essential ca-certificates ccache cmake git ninja-build
-  libcli11-dev libeigen3-dev libinsighttoolkit5-dev libvtk9-dev nlohmann-json3-dev"
-test_packages="libgtest-dev"
+packages="build-essential ca-certificates ccache cmake git ninja-build
+  libcli11-dev libeigen3-dev libgtest-dev libinsighttoolkit5-dev libvtk9-dev nlohmann-json3-dev"
 
-# install_packages PACKAGE...: installs what is missing, as root or by sudo; does nothing when nothing is.
+# Installs what is missing, as root or by sudo; does nothing when nothing is.
 install_packages() {
   local package missing=() as_root=()
   if ! command -v apt-get > /dev/null; then
-    echo "No apt-get here: going on with what is installed. Needed, by their Debian 12 names: $*" >&2
+    echo "No apt-get here: going on with what is installed. Needed, by their Debian 12 names: $packages" >&2
     return
   fi
-  for package in "$@"; do
+  for package in $packages; do
     if ! dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null | grep -qx installed; then
       missing+=("$package")
     fi
@@ -42,7 +41,9 @@ build_jobs() {
   echo $((processors < memory ? processors : memory))
 }
 
-# Compiled files are kept for the next build when ccache is there.
-if command -v ccache > /dev/null; then
-  export CMAKE_CXX_COMPILER_LAUNCHER=ccache
-fi
+# Keeps compiled files for the next build when ccache is there.
+use_ccache() {
+  if command -v ccache > /dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+}

@@ -79,7 +79,7 @@ def save(figure, name, dpi=110):
     figure.savefig(path, dpi=dpi, facecolor=PAPER, metadata=metadata)
     plt.close(figure)
     if path.suffix == ".png":  # 255 colours are enough and a third of the size
-        Image.open(path).convert("RGB").quantize(255, Image.MEDIANCUT, dither=Image.NONE).save(path, optimize=True)
+        Image.open(path).convert("RGB").quantize(255, Image.MAXCOVERAGE, dither=Image.NONE).save(path, optimize=True)
     print(f"{path.relative_to(FOLDER.parent)}  {path.stat().st_size / 1000:.0f} kB")
 
 
@@ -127,7 +127,8 @@ def draw_slice(axes, mesh, values, colours, plane, line=0.35):
 
 
 def organ_centre(mesh):
-    return mesh.nodes.reshape(-1, 3).mean(0)
+    """Two millimetres beside the centroid: the lattice's own middle planes would be cut lengthwise."""
+    return mesh.nodes.reshape(-1, 3).mean(0) + 2.0
 
 
 def coronal(mesh):
@@ -313,7 +314,7 @@ EYE = (0.55, -0.75, 0.35)  # from the patient's left front, a little above
 
 
 def draw_ratio(axes, points, triangles, ratio, norm, cmap):
-    draw_solid(axes, points[triangles], cmap(norm(np.log2(ratio)))[:, :3], view_basis(EYE), shade=0.25, line=0.25)
+    draw_solid(axes, points[triangles], cmap(norm(np.log2(ratio)))[:, :3], view_basis(EYE), shade=0.12, line=0.25)
 
 
 def figure_d(sample):
@@ -399,13 +400,13 @@ def figure_g(sample):
 
 
 def figure_h(sample):
-    figure, panels = plt.subplots(1, 2, figsize=(8.8, 3.7), constrained_layout=True)
+    figure, panels = plt.subplots(1, 2, figsize=(8.8, 4.0), constrained_layout=True)
     norm, cmap = TwoSlopeNorm(0.4, -0.2, 1.0), plt.get_cmap("RdYlBu")
     for axes, stage, title in ((panels[0], "initial", "initial map"), (panels[1], "smoothed", "smoothed")):
         mesh = sample.mesh(stage)
         jacobian = files.scaled_jacobians(mesh)
         draw_slice(axes, mesh, jacobian, lambda v: cmap(norm(v)), coronal(mesh))
-        axes.set_title(f"{title}\nscaled Jacobian: smallest {jacobian.min():.2f}, median {np.median(jacobian):.2f}")
+        axes.set_title(f"{title}\nsmallest {jacobian.min():.2f}, median {np.median(jacobian):.2f}")
     bar(figure, panels, ScalarMappable(norm, cmap), "scaled Jacobian")
     save(figure, "H-smoothing.png")
 
@@ -463,11 +464,13 @@ def figure_title(sample):
     draw_labelmap(first, label, basis)
     n, palette = mesh.n, shell_colours(mesh.shells)
     middle = mesh.shells - 1
-    i, j, k = np.ogrid[: n - 1, : n - 1, : n - 1]
-    for axes, kept in ((second, np.ones((n - 1,) * 3, bool)), (third, ~((i > middle) & (j < middle) & (k > middle)))):
+    whole = np.ones((n - 1,) * 3, bool)
+    opened = whole.copy()
+    opened[middle + 1:, :middle, :] = False  # the quarter at the left front
+    for axes, kept in ((second, whole), (third, opened)):
         quads, cells = files.exposed_faces(n, kept)
         colours = palette[files.at(files.cell_shells(n), cells) - 1]
-        draw_solid(axes, files.at(mesh.nodes, quads), colours, basis, shade=0.5, line=0.45)
+        draw_solid(axes, files.at(mesh.nodes, quads), colours, basis, shade=0.4, line=0.45)
     for axes in (first, third):
         axes.set_xlim(second.get_xlim())
         axes.set_ylim(second.get_ylim())

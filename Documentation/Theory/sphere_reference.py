@@ -181,7 +181,8 @@ def locate(t, s, p):
 
 
 def barrier_map(x, t, s, eps=1e-3, steps=60):
-    """(E4) by damped Gauss-Newton in tangent coordinates: eps = 0.1, 0.01, ... down to `eps`."""
+    """(E4), its shape term by the limit for short edges, by damped Gauss-Newton in tangent coordinates with eps = 0.1,
+    0.01, ... down to `eps`."""
     target = 4 * np.pi * triangle_areas(x, t) / triangle_areas(x, t).sum()
     L = cotan_laplacian(x, t)
     W = np.clip(-L, 0.02, 10.0) * (L != 0)

@@ -44,7 +44,8 @@ runPipeline(const LabelImage & image, const RunOptions & runOptions)
   options.shells = runOptions.shells;
   if (!runOptions.smoothing)
   {
-    options.smoothing = withoutSmoothing();
+    options.smoothing.edges.slides = 0;
+    options.smoothing.guarded.sweeps = 0;
     options.flow.smoothedPasses = 0;
   }
   run.pipeline->SetMeshingOptions(options);

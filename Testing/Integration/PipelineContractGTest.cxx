@@ -22,14 +22,14 @@ small(unsigned int threads = 2)
   return options;
 }
 
-LabelImage::Pointer
+ShortImage::Pointer
 ballImage()
 {
   return labelImage(analytic::labelVolume(analytic::ball(12.0)));
 }
 
 /** A ball with a tunnel along z. */
-LabelImage::Pointer
+ShortImage::Pointer
 torusImage()
 {
   LabelVolume label = analytic::labelVolume(analytic::ball(12.0));

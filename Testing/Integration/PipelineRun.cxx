@@ -7,14 +7,14 @@
 namespace moserhex::integration
 {
 
-LabelImage::Pointer
+ShortImage::Pointer
 labelImage(const LabelVolume & label, short value)
 {
-  auto                      image = LabelImage::New();
-  LabelImage::SizeType      size;
-  LabelImage::SpacingType   spacing;
-  LabelImage::PointType     origin;
-  LabelImage::DirectionType direction;
+  auto                      image = ShortImage::New();
+  ShortImage::SizeType      size;
+  ShortImage::SpacingType   spacing;
+  ShortImage::PointType     origin;
+  ShortImage::DirectionType direction;
   for (unsigned int a = 0; a < 3; ++a)
   {
     size[a] = static_cast<itk::SizeValueType>(label.size[a]);
@@ -37,7 +37,7 @@ labelImage(const LabelVolume & label, short value)
 }
 
 Pipeline::Pointer
-runPipeline(const LabelImage * image, const PipelineOptions & options)
+runPipeline(const ShortImage * image, const PipelineOptions & options)
 {
   auto pipeline = Pipeline::New();
   pipeline->SetInput(image);

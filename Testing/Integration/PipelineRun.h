@@ -9,11 +9,11 @@
 namespace moserhex::integration
 {
 
-using LabelImage = itk::Image<short, 3>;
-using Pipeline = itk::MassPreservingHexahedralMeshFilter<LabelImage>;
+using ShortImage = itk::Image<short, 3>;
+using Pipeline = itk::MassPreservingHexahedralMeshFilter<ShortImage>;
 
 /** The voxels of a label as an ITK image: `value` inside, 0 outside. */
-[[nodiscard]] LabelImage::Pointer
+[[nodiscard]] ShortImage::Pointer
 labelImage(const LabelVolume & label, short value = 1);
 
 struct PipelineOptions
@@ -27,7 +27,7 @@ struct PipelineOptions
 
 /** Runs the whole chain and returns the updated filter. Throws what the filter throws. */
 [[nodiscard]] Pipeline::Pointer
-runPipeline(const LabelImage * image, const PipelineOptions & options = {});
+runPipeline(const ShortImage * image, const PipelineOptions & options = {});
 
 /** Quality of the mesh after the named stage ("initial map", "smoothing", "moser flow").
  * \throws std::out_of_range  when the stage was not run */

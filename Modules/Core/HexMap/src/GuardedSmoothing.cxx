@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,14 +26,21 @@ constexpr std::array<std::array<std::size_t, 3>, 8> cornerNeighbours{
  * mean of the neighbours would close further. */
 constexpr std::array<double, 3> trialFractions{ 1.0, 0.5, -0.25 };
 
+/** max(0, threshold - scaled Jacobian) at a corner; edges without length count as scaled Jacobian 0. */
 double
-scaledJacobian(const HexCorners & corners, std::size_t c)
+shortfall(const HexCorners & corners, std::size_t c, double threshold)
 {
   const Vector3 a = corners[cornerNeighbours[c][0]] - corners[c];
   const Vector3 b = corners[cornerNeighbours[c][1]] - corners[c];
   const Vector3 d = corners[cornerNeighbours[c][2]] - corners[c];
+  const double  determinant = a.dot(b.cross(d));
   const double  squaredLengths = a.squaredNorm() * b.squaredNorm() * d.squaredNorm();
-  return squaredLengths > 0.0 ? a.dot(b.cross(d)) / std::sqrt(squaredLengths) : 0.0;
+  if (determinant > 0.0 && determinant * determinant >= threshold * threshold * squaredLengths)
+  {
+    return 0.0; // the common case, without a square root
+  }
+  const double scaled = squaredLengths > 0.0 ? determinant / std::sqrt(squaredLengths) : 0.0;
+  return std::max(0.0, threshold - scaled);
 }
 
 /** Sum of max(0, threshold - scaled Jacobian)^2 over the corners that depend on one node, were it at `position`.
@@ -60,8 +68,8 @@ badness(const HexMesh & mesh, const Index3 & at, const Vector3 & position, doubl
     const auto & neighbours = cornerNeighbours[self];
     for (const std::size_t c : { self, neighbours[0], neighbours[1], neighbours[2] })
     {
-      const double missing = threshold - scaledJacobian(corners, c);
-      sum += missing > 0.0 ? missing * missing : 0.0;
+      const double missing = shortfall(corners, c, threshold);
+      sum += missing * missing;
     }
     if (sum > limit)
     {

@@ -1,8 +1,6 @@
 #include "MoserVelocity.h"
 
 #include "LatticeNodes.h"
-#include "moserhex/DiscreteCalculus/CubeLatticeOperators.h"
-#include "moserhex/Numerics/CosineTransform.h"
 
 #include <algorithm>
 
@@ -44,15 +42,22 @@ interpolate(const Eigen::VectorXd & field, const Index3 & size, const Vector3 & 
 }
 } // namespace
 
-MoserVelocity::MoserVelocity(const HexMesh & mesh, const std::vector<double> & volumes) : m_N(mesh.nodesPerSide)
+MoserFlowOperators::MoserFlowOperators(int nodesPerSide)
+  : poisson(nodesPerSide - 1), fluxFromPotential(CubeLatticeOperators(nodesPerSide).fluxFromPotential())
+{}
+
+MoserVelocity::MoserVelocity(int                         nodesPerSide,
+                             const std::vector<double> & volumes,
+                             const MoserFlowOperators &  operators)
+  : m_N(nodesPerSide)
 {
   const Eigen::Map<const Eigen::VectorXd> volume(volumes.data(), static_cast<Eigen::Index>(volumes.size()));
   const Eigen::VectorXd                   ratio = volume / volume.mean();
   m_Density = ratio.cwiseMax(smallestDensity);
 
   const Eigen::VectorXd divergence = (1.0 - ratio.array()).matrix();
-  const Eigen::VectorXd theta = NeumannPoissonSolver(m_N - 1).solve(divergence);
-  const Eigen::VectorXd flux = CubeLatticeOperators(m_N).fluxFromPotential() * theta;
+  const Eigen::VectorXd theta = operators.poisson.solve(divergence);
+  const Eigen::VectorXd flux = operators.fluxFromPotential * theta;
   const Eigen::Index    count = flux.size() / 3;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

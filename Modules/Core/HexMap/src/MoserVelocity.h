@@ -1,6 +1,8 @@
 #pragma once
 
+#include "moserhex/DiscreteCalculus/CubeLatticeOperators.h"
 #include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/Numerics/CosineTransform.h"
 
 #include <Eigen/Core>
 
@@ -9,6 +11,15 @@
 namespace moserhex
 {
 
+/** What all passes of the flow over one lattice share. */
+struct MoserFlowOperators
+{
+  explicit MoserFlowOperators(int nodesPerSide);
+
+  NeumannPoissonSolver               poisson;           ///< inverse of d2 *2^-1 d2^T
+  CubeLatticeOperators::SparseMatrix fluxFromPotential; ///< *2^-1 d2^T
+};
+
 /** The velocity X_t = -v / ((1-t) rho + t) of Moser's flow on the cube lattice with unit cells, rho = |Df|.
  *
  * v is a 2-form (one flux per face, zero on the cube's surface) with d2 v = 1 - rho in every cell and v = *2^-1 d2^T
@@ -16,9 +27,9 @@ namespace moserhex
 class MoserVelocity
 {
 public:
-  /** \param mesh     n >= 2
-   *  \param volumes  of its cells; positive mean */
-  MoserVelocity(const HexMesh & mesh, const std::vector<double> & volumes);
+  /** \param nodesPerSide  n >= 2
+   *  \param volumes       of the (n-1)^3 cells; positive mean */
+  MoserVelocity(int nodesPerSide, const std::vector<double> & volumes, const MoserFlowOperators & operators);
 
   /** X_t at a point. Each component of v is trilinear between the centres of its own faces, rho between cell centres;
    * both are constant beyond the outermost centres, except that normal components fall to zero at the surface. */

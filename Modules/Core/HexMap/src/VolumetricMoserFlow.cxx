@@ -82,10 +82,15 @@ trilinear(const HexMesh & mesh, const Vector3 & point)
 
 /** One pass: the mesh f o g_1^-1. */
 HexMesh
-flowOnce(const HexMesh & mesh, const SurfaceProjection & projection, BoundaryMotion boundary, double & largestStep)
+flowOnce(const HexMesh &             mesh,
+         const std::vector<double> & volumes,
+         const MoserFlowOperators &  operators,
+         const SurfaceProjection &   projection,
+         BoundaryMotion              boundary,
+         double &                    largestStep)
 {
   const int           n = mesh.nodesPerSide;
-  const MoserVelocity velocity(mesh, cellVolumes(mesh));
+  const MoserVelocity velocity(n, volumes, operators);
   const int           steps =
     std::clamp(static_cast<int>(std::ceil(velocity.largestSpeed() / longestTimeStep)), fewestSteps, mostSteps);
 
@@ -141,7 +146,8 @@ volumetricMoserFlow(const HexMesh &                    mesh,
     return pass.volumeVariance <= options.targetVariance && pass.concavePercent == 0.0;
   };
 
-  HexMesh current = mesh;
+  const MoserFlowOperators operators(mesh.nodesPerSide);
+  HexMesh                  current = mesh;
   for (int number = 1; number <= options.maximumPasses && !isDone(result.passes.back()); ++number)
   {
     reportProgress(progress, (number - 1.0) / options.maximumPasses);
@@ -151,13 +157,14 @@ volumetricMoserFlow(const HexMesh &                    mesh,
     {
       current = smoothLattice(current, projection, options.smoothingBetweenPasses);
     }
-    if (!(sumOf(cellVolumes(current)) > 0.0))
+    const std::vector<double> volumes = cellVolumes(current);
+    if (!(sumOf(volumes) > 0.0))
     {
       result.report.note = "stopped: smoothing turned the mesh inside out";
       break;
     }
     double largestStep = 0.0;
-    current = flowOnce(current, projection, options.boundary, largestStep);
+    current = flowOnce(current, volumes, operators, projection, options.boundary, largestStep);
 
     MoserPass pass = assess(current, options.concaveWeight);
     pass.largestStep = largestStep;

@@ -157,17 +157,8 @@ diceWithVoxels(const LabelVolume & label, const LevelSet & phi)
 {
   const CubicInterpolator interpolator(phi);
   const RegularGrid &     grid = phi.grid;
-  const auto              isInside = [&](const Vector3 & index) {
-    RegularGrid::Index nearest{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double rounded = index[static_cast<int>(axis)] + 0.5;
-      nearest[axis] = static_cast<int>(std::min(std::max(rounded, 0.0), grid.size[axis] - 1.0));
-    }
-    const double value = phi.values[grid.nodeNumber(nearest[0], nearest[1], nearest[2])];
-    return std::abs(value) > 2.0 * grid.spacing
-                          ? value < 0.0
-                          : interpolator.value(grid.origin + grid.direction * (grid.spacing * index)) < 0.0;
+  const auto              nearestNode = [&](double index, std::size_t axis) {
+    return static_cast<int>(std::min(std::max(index + 0.5, 0.0), grid.size[axis] - 1.0));
   };
   const double step = label.spacing[0] / grid.spacing; // of the grid index from voxel to voxel of a row
   std::size_t  inLabel = 0;
@@ -178,11 +169,14 @@ diceWithVoxels(const LabelVolume & label, const LevelSet & phi)
   {
     for (int j = 0; j < label.size[1]; ++j)
     {
-      const Vector3 row = grid.continuousIndex(label.point(0, j, k));
+      const Vector3  row = grid.continuousIndex(label.point(0, j, k));
+      const double * nodes = phi.values.data() + grid.nodeNumber(0, nearestNode(row[1], 1), nearestNode(row[2], 2));
       for (int i = 0; i < label.size[0]; ++i, ++voxel)
       {
-        const bool a = label.inside[voxel] != 0;
-        const bool b = isInside(row + Vector3(i * step, 0.0, 0.0));
+        const bool   a = label.inside[voxel] != 0;
+        const double value = nodes[nearestNode(row[0] + i * step, 0)];
+        const bool   b =
+          std::abs(value) > 2.0 * grid.spacing ? value < 0.0 : interpolator.value(label.point(i, j, k)) < 0.0;
         inLabel += a ? 1 : 0;
         inSolid += b ? 1 : 0;
         inBoth += a && b ? 1 : 0;
@@ -209,13 +203,38 @@ smoothShape(const LabelVolume &         ball,
 
   LevelOfVolumeOptions search;
   search.upper = smallestBorderValue(f);
-  const VolumeBelowLevel below(f);
-  if (!(below.smallestValue() < search.upper && below.volume(search.upper) > volume))
+  search.relativeTolerance = 1e-6; // the volume is set exactly at the end
+  try
+  {
+    shift(f, levelOfVolume(f, volume, search));
+  }
+  catch (const InvalidInput &)
   {
     refuseThin(options.labelName, "no level of the smoothed label encloses its volume", report.sigma);
   }
-  shift(f, levelOfVolume(below, volume, search));
   return f;
+}
+
+/** Step 5: moves the level that encloses V to 0, within the band where all levels are spheres. Returns what remains of
+ * the error, relative to V. */
+double
+moveVolumeToZero(LevelSet & phi, double volume, const std::string & labelName, double sigma)
+{
+  LevelOfVolumeOptions search;
+  search.lower = -0.5 * sphericalBand * phi.grid.spacing;
+  search.upper = 0.5 * sphericalBand * phi.grid.spacing;
+  try
+  {
+    const VolumeBelowLevel below(phi);
+    const double           level = levelOfVolume(below, volume, search);
+    const double           error = below.volume(level) / volume - 1.0;
+    shift(phi, level);
+    return error;
+  }
+  catch (const InvalidInput &)
+  {
+    refuseThin(labelName, "the protected solid cannot hold the label's volume", sigma);
+  }
 }
 
 } // namespace
@@ -266,18 +285,7 @@ conditionLabel(const LabelVolume & label, const ConditioningOptions & options, c
   detail::makeLevelsSphericalInPlace(phi, sphericalBand * spacing);
   reportProgress(progress, 0.8);
 
-  LevelOfVolumeOptions search;
-  search.lower = -0.5 * sphericalBand * spacing;
-  search.upper = 0.5 * sphericalBand * spacing;
-  {
-    const VolumeBelowLevel below(phi);
-    if (!(below.volume(search.lower) <= solid.labelVolume && below.volume(search.upper) >= solid.labelVolume))
-    {
-      refuseThin(options.labelName, "the protected solid cannot hold the label's volume", report.sigma);
-    }
-    shift(phi, levelOfVolume(below, solid.labelVolume, search));
-  }
-  report.volumeError = VolumeBelowLevel(phi).volume(0.0) / solid.labelVolume - 1.0;
+  report.volumeError = moveVolumeToZero(phi, solid.labelVolume, options.labelName, report.sigma);
   report.dice = diceWithVoxels(ball, phi);
   if (report.dice < options.minimumDice)
   {

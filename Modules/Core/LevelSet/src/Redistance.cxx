@@ -102,19 +102,19 @@ nearestPointOnSurface(const CubicInterpolator & f, const Vector3 & x, const Vect
   return guess;
 }
 
-/** Nearest points of the surface as they spread over the grid, in grid coordinates. */
-struct NearestPoints
+/** The nearest point of the surface that a node knows of, in grid coordinates. */
+struct NearestPoint
 {
-  Positions           point;           ///< [nodes]
-  std::vector<double> squaredDistance; ///< [nodes^2]
+  Vector3 point{ Vector3::Zero() };    ///< [nodes]
+  double  squaredDistance{ infinity }; ///< [nodes^2]; infinity: none yet
 };
+using NearestPoints = std::vector<NearestPoint>;
 
 NearestPoints
 pointsNearTheSurface(const CubicInterpolator & interpolator, const LevelSet & f)
 {
   const RegularGrid & grid = f.grid;
-  NearestPoints       nearest{ Positions(grid.nodeCount(), Vector3::Zero()),
-                         std::vector<double>(grid.nodeCount(), infinity) };
+  NearestPoints       nearest(grid.nodeCount());
   bool                any = false;
   for (int k = 0; k < grid.size[2]; ++k)
   {
@@ -128,11 +128,11 @@ pointsNearTheSurface(const CubicInterpolator & interpolator, const LevelSet & f)
           continue;
         }
         any = true;
-        const std::size_t node = grid.nodeNumber(i, j, k);
-        const Vector3     x = grid.point(i, j, k);
-        const Vector3     onPlane = x + grid.direction * (grid.spacing * footOnPlane(crossings));
-        nearest.point[node] = grid.continuousIndex(nearestPointOnSurface(interpolator, x, onPlane));
-        nearest.squaredDistance[node] = (nearest.point[node] - Vector3(i, j, k)).squaredNorm();
+        const Vector3  x = grid.point(i, j, k);
+        const Vector3  onPlane = x + grid.direction * (grid.spacing * footOnPlane(crossings));
+        NearestPoint & own = nearest[grid.nodeNumber(i, j, k)];
+        own.point = grid.continuousIndex(nearestPointOnSurface(interpolator, x, onPlane));
+        own.squaredDistance = (own.point - Vector3(i, j, k)).squaredNorm();
       }
     }
   }
@@ -143,88 +143,95 @@ pointsNearTheSurface(const CubicInterpolator & interpolator, const LevelSet & f)
   return nearest;
 }
 
-/** One Gauss-Seidel sweep in the direction given by three signs: nodes take over the points of the seven neighbours
- * that lie behind (edges and corners too: along the axes alone the points handed on can be two spacings off). */
-void
-sweep(const RegularGrid & grid, const std::array<int, 3> & direction, NearestPoints & nearest)
+/** The 13 neighbours with a smaller node number. Their negatives come later in the order of the numbers. */
+std::array<RegularGrid::Index, 13>
+precedingOffsets()
 {
-  const auto position = [&](int step, std::size_t axis) {
-    return direction[axis] > 0 ? step : grid.size[axis] - 1 - step;
+  std::array<RegularGrid::Index, 13> offsets{};
+  for (int n = 0; n < 13; ++n)
+  {
+    offsets[static_cast<std::size_t>(n)] = { { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 } };
+  }
+  return offsets;
+}
+
+/** Hands points on to neighbours: one scan in the order of the node numbers and one against it. A path from a node to
+ * any other is made of steps to neighbours in one cone of directions; those of the first scan come first. */
+void
+scanForthAndBack(const RegularGrid & grid, NearestPoints & nearest)
+{
+  const auto                     offsets = precedingOffsets();
+  std::array<std::ptrdiff_t, 13> strides{};
+  std::transform(offsets.begin(), offsets.end(), strides.begin(), [&](const RegularGrid::Index & offset) {
+    return grid.stride(offset[0], offset[1], offset[2]);
+  });
+  const auto exists = [&](int coordinate, std::size_t axis) { return coordinate >= 0 && coordinate < grid.size[axis]; };
+  const auto visit = [&](std::size_t node, int i, int j, int k, int side) {
+    const Vector3  x(i, j, k);
+    NearestPoint & own = nearest[node];
+    const bool     border = grid.isBorder(i, j, k);
+    for (std::size_t n = 0; n < offsets.size(); ++n)
+    {
+      if (border && !(exists(i + side * offsets[n][0], 0) && exists(j + side * offsets[n][1], 1) &&
+                      exists(k + side * offsets[n][2], 2)))
+      {
+        continue;
+      }
+      const NearestPoint & other = nearest[node + static_cast<std::size_t>(side * strides[n])];
+      if (other.squaredDistance == infinity)
+      {
+        continue;
+      }
+      const double squared = (other.point - x).squaredNorm();
+      if (squared < own.squaredDistance)
+      {
+        own = { other.point, squared };
+      }
+    }
   };
-  std::array<std::ptrdiff_t, 8> behind{};
-  for (int m = 1; m < 8; ++m)
+  std::size_t node = 0;
+  for (int k = 0; k < grid.size[2]; ++k)
   {
-    behind[static_cast<std::size_t>(m)] =
-      -grid.stride((m & 1) * direction[0], (m >> 1 & 1) * direction[1], (m >> 2) * direction[2]);
-  }
-  for (int c = 0; c < grid.size[2]; ++c)
-  {
-    for (int b = 0; b < grid.size[1]; ++b)
+    for (int j = 0; j < grid.size[1]; ++j)
     {
-      for (int a = 0; a < grid.size[0]; ++a)
+      for (int i = 0; i < grid.size[0]; ++i, ++node)
       {
-        const int         i = position(a, 0);
-        const int         j = position(b, 1);
-        const int         k = position(c, 2);
-        const std::size_t node = grid.nodeNumber(i, j, k);
-        const Vector3     x(i, j, k);
-        const int         exists = (a > 0 ? 1 : 0) | (b > 0 ? 2 : 0) | (c > 0 ? 4 : 0);
-        double            smallest = nearest.squaredDistance[node];
-        for (int m = 1; m < 8; ++m)
-        {
-          const std::size_t neighbour = node + static_cast<std::size_t>(behind[static_cast<std::size_t>(m)]);
-          if ((m & exists) != m || nearest.squaredDistance[neighbour] == infinity)
-          {
-            continue;
-          }
-          const double squared = (nearest.point[neighbour] - x).squaredNorm();
-          if (squared < smallest)
-          {
-            smallest = squared;
-            nearest.point[node] = nearest.point[neighbour];
-          }
-        }
-        nearest.squaredDistance[node] = smallest;
+        visit(node, i, j, k, 1);
+      }
+    }
+  }
+  for (int k = grid.size[2] - 1; k >= 0; --k)
+  {
+    for (int j = grid.size[1] - 1; j >= 0; --j)
+    {
+      for (int i = grid.size[0] - 1; i >= 0; --i)
+      {
+        visit(--node, i, j, k, -1);
       }
     }
   }
 }
 
-void
-sweepAllDirections(const RegularGrid & grid, NearestPoints & nearest)
-{
-  for (const int k : { 1, -1 })
-  {
-    for (const int j : { 1, -1 })
-    {
-      for (const int i : { 1, -1 })
-      {
-        sweep(grid, { { i, j, k } }, nearest);
-      }
-    }
-  }
-}
-
-/** Nodes share the points of their neighbours after the sweeps; close to the surface, where that matters, each gets its
+/** Nodes share the points of their neighbours after the scans; close to the surface, where that matters, each gets its
  * own. */
 void
 refineNearTheSurface(const CubicInterpolator & interpolator, NearestPoints & nearest)
 {
   const RegularGrid & grid = interpolator.grid();
   constexpr double    bandInNodes = 4.0;
-  for (std::size_t node = 0; node < nearest.point.size(); ++node)
+  for (std::size_t node = 0; node < nearest.size(); ++node)
   {
-    if (nearest.squaredDistance[node] < bandInNodes * bandInNodes)
+    NearestPoint & own = nearest[node];
+    if (own.squaredDistance < bandInNodes * bandInNodes)
     {
       const RegularGrid::Index index = grid.indexOf(node);
-      const Vector3            guess = grid.origin + grid.direction * (grid.spacing * nearest.point[node]);
+      const Vector3            guess = grid.origin + grid.direction * (grid.spacing * own.point);
       const Vector3            p = nearestPointOnSurface(interpolator, grid.point(node), guess);
       const Vector3            point = grid.continuousIndex(p);
       const double             squared = (point - Vector3(index[0], index[1], index[2])).squaredNorm();
-      if (squared < nearest.squaredDistance[node])
+      if (squared < own.squaredDistance)
       {
-        nearest.squaredDistance[node] = squared;
-        nearest.point[node] = point;
+        own = { point, squared };
       }
     }
   }
@@ -242,14 +249,15 @@ redistance(const LevelSet & f)
   }
   const CubicInterpolator interpolator(f);
   NearestPoints           nearest = pointsNearTheSurface(interpolator, f);
-  sweepAllDirections(f.grid, nearest);
+  scanForthAndBack(f.grid, nearest);
   refineNearTheSurface(interpolator, nearest);
-  sweepAllDirections(f.grid, nearest);
+  scanForthAndBack(f.grid, nearest);
+  scanForthAndBack(f.grid, nearest);             // halves the error of one scan far away
   const double smallest = 1e-6 * f.grid.spacing; // the sign must survive
   LevelSet     result{ f.grid, std::vector<double>(f.values.size()) };
   for (std::size_t node = 0; node < f.values.size(); ++node)
   {
-    const double distance = std::max(f.grid.spacing * std::sqrt(nearest.squaredDistance[node]), smallest);
+    const double distance = std::max(f.grid.spacing * std::sqrt(nearest[node].squaredDistance), smallest);
     result.values[node] = f.values[node] < 0.0 ? -distance : distance;
   }
   return result;

@@ -286,24 +286,53 @@ private:
   double                      m_LargestStep{ 0.0 };
 };
 
-void
-requireGoodShell(const ShellSurface & shell, const std::string & name, const ShellSurfaceOptions & options)
+/** What is wrong with a shell; empty when it keeps the contract. */
+std::string
+faultOf(const ShellSurface & shell, const ShellSurfaceOptions & options)
 {
   std::ostringstream           message;
   const SurfaceTopologySummary topology = summarizeTopology(shell.mesh);
   if (!topology.isSphere())
   {
-    message << name << ": V-E+F = " << topology.eulerCharacteristic << " in " << topology.components
+    message << "V-E+F = " << topology.eulerCharacteristic << " in " << topology.components
             << " components, need 2 in 1 (genus 0)";
   }
   else if (!(shell.remeshing.residual <= options.acceptedVolumeError))
   {
-    message << name << ": encloses " << shell.volume << " mm^3, need " << shell.targetVolume << " within "
+    message << "encloses " << shell.volume << " mm^3, need " << shell.targetVolume << " within "
             << 100 * options.acceptedVolumeError << " %";
   }
-  if (!message.str().empty())
+  return message.str();
+}
+
+/** Cuts a shell with the triangles asked for. Where it ends in a neck or a thin spur these may be too large to follow
+ * it, and its volume cannot be met: then with four times as many, up to `finestAttempt` times. */
+ShellSurface
+cutShell(const ShellFunction &       f,
+         double                      volume,
+         double                      triangles,
+         const std::string &         name,
+         const ShellSurfaceOptions & options)
+{
+  constexpr int    finestAttempt = 2;
+  constexpr double moreTriangles = 4.0;
+  for (int attempt = 0;; ++attempt)
   {
-    throw NotConverged(message.str(), shell.remeshing);
+    ShellSurface      shell = ShellCutter(f, volume, triangles, options).cut();
+    const std::string fault = faultOf(shell, options);
+    if (fault.empty())
+    {
+      if (attempt > 0)
+      {
+        shell.remeshing.note = std::to_string(shell.mesh.triangles.size()) + " triangles were needed";
+      }
+      return shell;
+    }
+    if (attempt == finestAttempt)
+    {
+      throw NotConverged(name + ": " + fault, shell.remeshing);
+    }
+    triangles *= moreTriangles;
   }
 }
 
@@ -316,8 +345,11 @@ requireUsable(const LevelSet &            ordering,
 {
   std::ostringstream message;
   message << "shell surfaces: ";
-  const auto start = message.str().size();
-  if (ordering.grid.size != phi.grid.size)
+  const auto   start = message.str().size();
+  const double tolerance = 1e-9 * phi.grid.spacing;
+  if (ordering.grid.size != phi.grid.size || std::abs(ordering.grid.spacing - phi.grid.spacing) > tolerance ||
+      !(ordering.grid.origin - phi.grid.origin).isZero(tolerance) ||
+      !ordering.grid.direction.isApprox(phi.grid.direction, 1e-9))
   {
     message << "ordering and phi have different grids";
   }
@@ -408,9 +440,8 @@ extractShellSurfaces(const LevelSet &            ordering,
     const std::size_t     k = count - i; // the largest first: better balance
     const ShellFunction & f = k == count ? boundary : inside;
     const double          fraction = volumeFractions[k - 1];
-    ShellCutter           cutter(f, volume * fraction, wantedTriangles(fraction, count, options), options);
-    shells[k - 1] = cutter.cut();
-    requireGoodShell(shells[k - 1], shellName(k, count), options);
+    shells[k - 1] =
+      cutShell(f, volume * fraction, wantedTriangles(fraction, count, options), shellName(k, count), options);
   });
   reportProgress(progress, 0.9);
   measureShells(shells, options);

@@ -66,12 +66,12 @@ TEST(Redistance, SphereIsSecondOrderNearTheSurface)
   EXPECT_GT((4 * sxy - sx * sy) / (4 * sxx - sx * sx), 1.9); // the cubic interpolant is of order 3
 }
 
-TEST(Redistance, ErrorDoesNotGrowAwayFromTheSurface)
+TEST(Redistance, ErrorStaysBelowAFractionOfTheSpacingFarFromTheSurface)
 {
   const RegularGrid grid = test::unitGrid(55);
   const Errors      errors = errorsOf(redistance(distortedSphere(grid)));
   EXPECT_LT(errors.nearSurface, 0.01 * grid.spacing);
-  EXPECT_LT(errors.elsewhere, 0.1 * grid.spacing);
+  EXPECT_LT(errors.elsewhere, 0.15 * grid.spacing); // up to 28 spacings away
 }
 
 TEST(Redistance, EveryNodeKeepsItsSide)

@@ -68,6 +68,24 @@ expectAllLevelsAreSpheres(const LevelSet & s)
   }
 }
 
+/** The Gaussian adds 3 (sigma h / R)^2 to the s of a ball; with one node it stays below the bounds here. */
+ShellOrderingOptions
+lightSmoothing()
+{
+  ShellOrderingOptions options;
+  options.smoothing = 1.0;
+  return options;
+}
+
+/** Weight with the square of the depth. */
+FrontWeightOptions
+quadraticDepth()
+{
+  FrontWeightOptions options;
+  options.depthPower = 2.0;
+  return options;
+}
+
 } // namespace
 
 TEST(CubeVolumeFractions, AreThoseOfTheCubeShells)
@@ -85,7 +103,7 @@ TEST(FrontWeight, OfABallIsTheSquaredRelativeDepth)
   // rho = r / R, so R |grad rho| = 1 and w = (1 - r/R)^2. Near the centre rho has a kink; one-sided differences are of
   // order 1 in the spacing, 0.07 R.
   const LevelSet    phi = ball();
-  const FrontWeight front = frontWeight(phi);
+  const FrontWeight front = frontWeight(phi, quadraticDepth());
   EXPECT_LT(phi.grid.point(front.seed).norm(), 0.7);
   for (std::size_t node = 0; node < phi.values.size(); ++node)
   {
@@ -116,7 +134,7 @@ TEST(ShellOrdering, OfABallIsTheSquaredRelativeRadius)
   const LevelSet      phi = ball();
   const FrontWeight   front = frontWeight(phi);
   const auto          arrival = eikonalArrival(phi, front.weight, front.seed);
-  const ShellOrdering ordering = shellOrdering(phi, arrival.levelSet, front.seed);
+  const ShellOrdering ordering = shellOrdering(phi, arrival.levelSet, front.seed, lightSmoothing());
   EXPECT_EQ(ordering.unreached, 0u);
   EXPECT_EQ(ordering.raised, 0u);
   for (std::size_t node = 0; node < phi.values.size(); ++node)
@@ -135,7 +153,7 @@ TEST(ShellOrdering, VolumeBelowALevelFollowsTheLevel)
     sampled(14, 0.7, [](const Vector3 & p) { return 6 * (Vector3(p.x() / 14, p.y() / 6, p.z() / 8).norm() - 1); });
   const FrontWeight      front = frontWeight(phi);
   const auto             arrival = eikonalArrival(phi, front.weight, front.seed);
-  const ShellOrdering    ordering = shellOrdering(phi, arrival.levelSet, front.seed);
+  const ShellOrdering    ordering = shellOrdering(phi, arrival.levelSet, front.seed, lightSmoothing());
   const VolumeBelowLevel volumes(ordering.levelSet);
   const VolumeBelowLevel organ(phi);
   for (const double fraction : { 0.1, 0.3, 0.5, 0.7 })
@@ -161,7 +179,7 @@ TEST(ShellOrdering, EveryLevelSetIsASphereForRandomTimes)
   {
     time = random.uniform();
   }
-  const ShellOrdering ordering = shellOrdering(phi, arrival, deepestNode(phi));
+  const ShellOrdering ordering = shellOrdering(phi, arrival, deepestNode(phi), lightSmoothing());
   expectAllLevelsAreSpheres(ordering.levelSet);
 }
 
@@ -176,7 +194,7 @@ TEST(ShellOrdering, NodesWithoutATimeFollowByDepth)
     arrival.values[node] = r < 6 ? r : std::numeric_limits<double>::infinity();
     late += r >= 6 && r < 10 ? 1 : 0;
   }
-  const ShellOrdering ordering = shellOrdering(phi, arrival, deepestNode(phi));
+  const ShellOrdering ordering = shellOrdering(phi, arrival, deepestNode(phi), lightSmoothing());
   EXPECT_EQ(ordering.unreached, late);
   for (std::size_t node = 0; node < phi.values.size(); ++node)
   {

@@ -26,12 +26,16 @@ constexpr double afterSurfaces = 0.4;
 constexpr double afterSphereMaps = 0.8;
 constexpr double afterInitialMap = 0.85;
 
+/** Within half a grid edge of the surface phi is a distance and Newton along its gradient finds the nearest point;
+ * farther out the nearest point of the triangles comes first. */
 SurfaceProjection
 projectionOnto(const ClosestPointSearch & search, const CubicInterpolator & phi, double level)
 {
   const double maximumStep = 0.5 * phi.grid().spacing;
   return [&search, &phi, level, maximumStep](const Vector3 & p) {
-    return projectToLevel(phi, search.closest(p).point, level, maximumStep, projectionIterations);
+    const bool    isNear = std::abs(phi.value(p) - level) <= maximumStep;
+    const Vector3 start = isNear ? p : search.closest(p).point;
+    return projectToLevel(phi, start, level, maximumStep, projectionIterations);
   };
 }
 

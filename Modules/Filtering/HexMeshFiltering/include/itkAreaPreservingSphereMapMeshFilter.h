@@ -45,6 +45,11 @@ protected:
   AreaPreservingSphereMapMeshFilter() = default;
   ~AreaPreservingSphereMapMeshFilter() override = default;
 
+  /** A mesh has nothing to copy before its data exist; the base class would want input and output of one type. */
+  void
+  GenerateOutputInformation() override
+  {}
+
   void
   GenerateData() override
   {

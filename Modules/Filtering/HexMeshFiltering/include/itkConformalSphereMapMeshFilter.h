@@ -47,6 +47,11 @@ protected:
   ConformalSphereMapMeshFilter() = default;
   ~ConformalSphereMapMeshFilter() override = default;
 
+  /** A mesh has nothing to copy before its data exist; the base class would want input and output of one type. */
+  void
+  GenerateOutputInformation() override
+  {}
+
   void
   GenerateData() override
   {

@@ -48,6 +48,11 @@ protected:
   }
   ~MoserAreaFlowMeshFilter() override = default;
 
+  /** A mesh has nothing to copy before its data exist; the base class would want input and output of one type. */
+  void
+  GenerateOutputInformation() override
+  {}
+
   void
   GenerateData() override
   {

@@ -65,6 +65,11 @@ protected:
     }
   }
 
+  /** A mesh has nothing to copy before its data exist; the base class would want input and output of one type. */
+  void
+  GenerateOutputInformation() override
+  {}
+
   void
   GenerateData() override
   {

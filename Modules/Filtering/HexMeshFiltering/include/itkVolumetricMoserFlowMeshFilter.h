@@ -61,6 +61,11 @@ protected:
   VolumetricMoserFlowMeshFilter() = default;
   ~VolumetricMoserFlowMeshFilter() override = default;
 
+  /** A mesh has nothing to copy before its data exist; the base class would want input and output of one type. */
+  void
+  GenerateOutputInformation() override
+  {}
+
   void
   GenerateData() override
   {

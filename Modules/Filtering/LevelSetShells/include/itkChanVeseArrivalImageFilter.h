@@ -101,7 +101,7 @@ private:
   typename FunctionType::Pointer m_Function;
   double                         m_CurvatureWeight{ 0.1 };
   double                         m_HeavisideWidth{ 1.5 };
-  double                         m_ReachedFraction{ 0.9 };
+  double                         m_ReachedFraction{ 0.95 };
   unsigned int                   m_StallIterations{ 100 };
 
   std::vector<PixelType> m_Arrival;

@@ -21,7 +21,7 @@ enum class ShellMethod
   /** Coupled Chan-Vese front: slowed so that all its parts arrive together; shells by volume. */
   ChanVese,
   /** Uncoupled Chan-Vese front (w = 1); shells are snapshots at equal steps of time, as in the paper. Where the front
-   * has arrived they touch, but for the Gaussian on the ordering, which holds them a part of a node apart. */
+   * has arrived they would touch and are held a part of a node apart (moserhex::separatedSnapshots). */
   Snapshots,
   /** |grad T| w = 1 with the coupled weight: the front without curvature, by fast sweeping; shells by volume. */
   Eikonal
@@ -35,7 +35,7 @@ struct ShellOrderingFilterOptions
   double       curvatureWeight{ 0.1 };   ///< nu, in units of the region force [nodes]
   double       heavisideWidth{ 1.5 };    ///< epsilon of the regularised Heaviside [nodes]
   double       seedRadius{ 1.2 };        ///< of the first front [nodes]
-  double       reachedFraction{ 0.9 };   ///< coupled front stops here, the rest follows by depth; uncoupled: least [1]
+  double       reachedFraction{ 0.95 };  ///< coupled front stops here, the rest follows by depth; uncoupled: least [1]
   double       snapshotFraction{ 0.98 }; ///< uncoupled front stops here at the latest [1]
   unsigned int stallIterations{ 30 };    ///< iterations without growth after which a front has stopped [1]
   moserhex::SnapshotOptions      snapshots;

@@ -155,6 +155,7 @@ TEST(ShellOrderingFilters, ChanVeseAndEikonalOrderABallByRadius)
   for (const ShellMethod method : { ShellMethod::ChanVese, ShellMethod::Eikonal })
   {
     const auto filter = filterOf(phi, method);
+    filter->SetSmoothing(1.0); // adds 3 (sigma h / R)^2 to s
     filter->Update();
     const moserhex::LevelSet s = itk::LevelSetFromImage<ImageType>(filter->GetOutput());
     for (std::size_t node = 0; node < phi.values.size(); ++node)

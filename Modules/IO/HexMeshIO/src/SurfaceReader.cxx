@@ -2,7 +2,9 @@
 
 #include "FileNames.h"
 #include "ImageFileCheck.h"
+#include "ImageHeader.h"
 #include "OffReader.h"
+#include "PlyReader.h"
 #include "VtkMessages.h"
 #include "moserhex/Geometry/TriangleTopology.h"
 
@@ -11,7 +13,6 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSTLReader.h>
@@ -19,6 +20,11 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numeric>
 
 namespace moserhex
@@ -104,12 +110,64 @@ readWith(const std::string & fileName)
   return surface;
 }
 
+/** VTK's legacy reader trusts the counts of POINTS, POLYGONS and the like, and reads beyond its memory when they lie.
+ * Every number takes two bytes at least. */
+void
+requireHonestCounts(const std::string & fileName)
+{
+  std::ifstream     file(fileName, std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  for (const char * keyword : { "POINTS ", "VERTICES ", "LINES ", "POLYGONS ", "TRIANGLE_STRIPS " })
+  {
+    const std::size_t found = bytes.find(std::string("\n") + keyword);
+    if (found == std::string::npos)
+    {
+      continue;
+    }
+    const std::string line = bytes.substr(found + 1, std::min<std::size_t>(bytes.find('\n', found + 1) - found, 200));
+    const auto        words = wordsOf(line);
+    for (std::size_t word = 1; word < words.size() && std::isdigit(static_cast<unsigned char>(words[word][0])); ++word)
+    {
+      if (words[word].size() > 12 || std::stoull(words[word]) > bytes.size() / 2)
+      {
+        throw BadInput(fileName, "the header promises more than the file holds: " + line.substr(0, 60), copyAgain);
+      }
+    }
+  }
+}
+
+/** A binary STL file has 84 + 50 n bytes; VTK's reader takes what is there. */
+void
+requireWholeStl(const std::string & fileName)
+{
+  std::ifstream          file(fileName, std::ios::binary);
+  std::array<char, 1000> begin{};
+  const std::uint64_t    size = std::filesystem::file_size(fileName);
+  const auto             count = static_cast<std::size_t>(file.read(begin.data(), begin.size()).gcount());
+  if (lowerCase(std::string(begin.data(), count)).find("facet") != std::string::npos)
+  {
+    return; // text
+  }
+  std::uint64_t triangles = 0;
+  for (std::size_t byte = 4; byte-- > 0;)
+  {
+    triangles = 256 * triangles + static_cast<unsigned char>(begin[80 + byte]);
+  }
+  if (count < 84 || size != 84 + 50 * triangles)
+  {
+    throw BadInput(fileName,
+                   std::to_string(size) + " bytes do not fit the " + std::to_string(triangles) + " triangles promised",
+                   copyAgain);
+  }
+}
+
 FileSurface
 readFile(const std::string & fileName)
 {
   requireReadableFile(fileName);
   if (endsWith(fileName, ".vtk"))
   {
+    requireHonestCounts(fileName);
     return readWith<vtkPolyDataReader>(fileName);
   }
   if (endsWith(fileName, ".vtp"))
@@ -118,6 +176,7 @@ readFile(const std::string & fileName)
   }
   if (endsWith(fileName, ".stl"))
   {
+    requireWholeStl(fileName);
     return readWith<vtkSTLReader>(fileName);
   }
   if (endsWith(fileName, ".obj"))
@@ -126,7 +185,7 @@ readFile(const std::string & fileName)
   }
   if (endsWith(fileName, ".ply"))
   {
-    return readWith<vtkPLYReader>(fileName);
+    return { readPly(fileName), false };
   }
   if (endsWith(fileName, ".off"))
   {

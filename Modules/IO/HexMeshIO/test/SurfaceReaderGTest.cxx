@@ -276,6 +276,81 @@ TEST(SurfaceReader, OffCountsBeyondTheFileAreRefused)
   EXPECT_THROW((void)readSurface(folder / "a.off"), BadInput);
 }
 
+TEST(SurfaceReader, PlyCutAnywhereIsRefused)
+{
+  const TestFolder folder;
+  for (const bool binary : { false, true })
+  {
+    vtkNew<vtkPLYWriter> writer;
+    writer->SetFileName((folder / "whole.ply").c_str());
+    writer->SetInputData(polyDataOf(cubeSurface(1)));
+    binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+    writer->Write();
+    EXPECT_NO_THROW((void)readSurface(folder / "whole.ply"));
+    const std::string bytes = readBytes(folder / "whole.ply");
+    for (std::size_t length = 0; length < bytes.size() - 5; length += 7)
+    {
+      writeBytes(folder / "a.ply", bytes.substr(0, length));
+      EXPECT_THROW((void)readSurface(folder / "a.ply"), BadInput) << length;
+    }
+  }
+}
+
+TEST(SurfaceReader, PlyOfBigEndianIsRead)
+{
+  const TestFolder   folder;
+  const TriangleMesh mesh = cubeSurface(2, 10.0);
+  std::string bytes = "ply\nformat binary_big_endian 1.0\nelement vertex " + std::to_string(mesh.vertices.size()) +
+                      "\nproperty uchar red\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                      std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_index\nend_header\n";
+  const auto append = [&bytes](auto value) {
+    std::string raw(reinterpret_cast<const char *>(&value), sizeof value);
+    bytes.append(raw.rbegin(), raw.rend());
+  };
+  for (const Vector3 & v : mesh.vertices)
+  {
+    bytes += '\x07';
+    append(v.x());
+    append(v.y());
+    append(v.z());
+  }
+  for (const Triangle & t : mesh.triangles)
+  {
+    bytes += '\x03';
+    append(t[0]);
+    append(t[1]);
+    append(t[2]);
+  }
+  writeBytes(folder / "a.ply", bytes);
+  EXPECT_DOUBLE_EQ(enclosedVolume(readSurface(folder / "a.ply")), 1000.0);
+}
+
+TEST(SurfaceReader, CountsBeyondALegacyFileAreRefused)
+{
+  const TestFolder folder;
+  writeAs(folder / "a.vtk", cubeSurface(1));
+  std::string bytes = readBytes(folder / "a.vtk");
+  const auto  points = bytes.find("POINTS 8");
+  ASSERT_NE(points, std::string::npos);
+  bytes.replace(points, 8, "POINTS 800000");
+  writeBytes(folder / "a.vtk", bytes);
+  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.vtk"); }).find("promises"), std::string::npos);
+}
+
+TEST(SurfaceReader, BinaryStlOfAnotherLengthIsRefused)
+{
+  const TestFolder     folder;
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetFileName((folder / "a.stl").c_str());
+  writer->SetInputData(polyDataOf(cubeSurface(1)));
+  writer->SetFileTypeToBinary();
+  writer->Write();
+  EXPECT_NO_THROW((void)readSurface(folder / "a.stl"));
+  const std::string bytes = readBytes(folder / "a.stl");
+  writeBytes(folder / "a.stl", bytes.substr(0, bytes.size() - 50));
+  EXPECT_THROW((void)readSurface(folder / "a.stl"), BadInput);
+}
+
 TEST(SurfaceReader, FlatSurfaceIsRefused)
 {
   const TestFolder folder;

@@ -12,8 +12,8 @@ struct EdgeSlidingOptions
 {
   int    slides{ 1 };                 ///< how often; 0: edges stay
   double sufficientCurvature{ 0.08 }; ///< curvature across the edge times mean cell size above which it stays [1]
-  double step{ 0.25 };                ///< longest motion of one slide, in mean cell sizes [1]
-  double gain{ 20.0 };                 ///< motion = step tanh(gain * difference of curvature * mean cell size) [1]
+  double step{ 0.25 };                ///< motion of one slide is at most 1.5 times this, in mean cell sizes [1]
+  double gain{ 20.0 };                ///< motion = step tanh(gain * difference of curvature * mean cell size) [1]
   int    window{ 4 };                 ///< cells on either side over which curvature is averaged
 };
 

@@ -15,7 +15,7 @@ enum class BoundaryMotion
 {
   sliding, ///< move within the cube's faces and along its edges; corners stay. Needs only zero flux through the
            ///< boundary
-  held     ///< the paper's v = 0 on the boundary: they do not move
+  held     ///< the paper's v = 0 on the boundary: the flow does not move them (smoothing still may)
 };
 
 struct VolumetricMoserFlowOptions

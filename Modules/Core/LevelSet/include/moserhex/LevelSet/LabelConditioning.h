@@ -72,11 +72,12 @@ automaticSpacing(double volume, double faceArea, int nodesPerSide);
  * axes.
  *
  * 1. Largest 6-connected component; cavities filled; anything but a ball is refused (VoxelTopology.h).
- * 2. Signed distance: three-dimensional, or, when one voxel side is long, per slice: saturated q -> c tanh(q / c), c =
- * 3 slices, so that no slice overrules its neighbours; Catmull-Rom across slices; the empty slice next to the label
- *    mirrors its last slice, |q|, which puts the cap half a slice out, wherever the image ends.
+ * 2. Signed distance: three-dimensional, or, when one voxel side is long, per slice: saturated q -> c tanh(q / c),
+ *    c = three slices, so that no slice overrules its neighbours; Catmull-Rom across slices; the empty slice next
+ *    to the label mirrors its last slice, |q|, which puts the cap half a slice out, wherever the image ends.
  * 3. Gaussian, and the level that encloses V.
- * 4. Topology: homotopic growth from the deepest node, or homotopic shrinking of the box, whichever moves fewer nodes.
+ * 4. Topology: homotopic growth from the deepest node, or homotopic shrinking of the box, whichever moves fewer nodes;
+ *    only the surroundings of moved nodes are smoothed again.
  * 5. Redistance, growth near 0, and the level that encloses V moved to 0.
  *
  * Guarantees: {phi < c} is a ball and the level set c one sphere for |c| <= h/4; |grad phi| = 1 near 0 up to O(h);

@@ -17,7 +17,7 @@ cubeVolumeFractions(int shells);
 
 struct FrontWeightOptions
 {
-  double                 depthPower{ 2.0 };      ///< p >= 0; from 2 on the front arrives everywhere together [1]
+  double                 depthPower{ 4.0 };      ///< p >= 0; from 2 on the front arrives everywhere together [1]
   double                 smallestSlope{ 0.25 };  ///< lower bound of R |grad rho| [1]
   double                 smallestWeight{ 1e-4 }; ///< lower bound of w [1]
   TorsionFunctionOptions torsion;
@@ -47,7 +47,7 @@ frontWeight(const LevelSet & phi, const FrontWeightOptions & options = {});
 
 struct ShellOrderingOptions
 {
-  double smoothing{ 1.0 }; ///< sigma of the Gaussian on s; level sets of a paraboloid stay as they are [nodes]
+  double smoothing{ 1.5 }; ///< sigma of the Gaussian on s; level sets of a paraboloid stay as they are [nodes]
 };
 
 struct ShellOrdering
@@ -95,8 +95,8 @@ struct Snapshots
  *   T' = max(T, T_N (1 + phi / (g h N)))
  *
  * so shell k is the snapshot cut by {phi < -g h (N - k)}. g is lowered to half the depth of the organ over h N when
- * that is less. Volumes are what they come out as. hrows InvalidInput  as shellOrdering; shells < 1; options out of
- * range */
+ * that is less. Volumes are what they come out as.
+ * \throws InvalidInput  as shellOrdering; shells < 1; options out of range */
 [[nodiscard]] Snapshots
 separatedSnapshots(const LevelSet & phi, const LevelSet & arrival, int shells, const SnapshotOptions & options = {});
 

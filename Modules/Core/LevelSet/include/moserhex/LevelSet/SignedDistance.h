@@ -25,9 +25,9 @@ voxelSignedDistance(const LabelVolume & label, const std::array<bool, 3> & axes)
  *
  * Nodes with a neighbour on the other side get their nearest point on the zero surface of the Catmull-Rom
  * interpolant (Newton and tangential steps, Chopp 2001; the plane through the crossings of the grid edges where these
- * do not settle). Eight fast sweeps (Tsai 2002) carry nearest points to all other nodes; those within four spacings
- * then find their own, and eight more sweeps carry these on. No error grows with the distance: O(h^2) or better near a
- * smooth surface, a few per cent of the spacing beyond. O(n), deterministic.
+ * do not settle). Two scans of the grid hand nearest points on to all other nodes (Danielsson 1980, 26 neighbours);
+ * those within four spacings then find their own, and more scans carry these on. O(h^2) or better near a smooth
+ * surface; beyond four spacings the error is about 0.1 h. O(n), deterministic.
  *
  * \throws InvalidInput  invalid level set, a value that is not finite, or no node inside or outside */
 [[nodiscard]] LevelSet

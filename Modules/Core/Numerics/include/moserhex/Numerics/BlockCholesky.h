@@ -13,7 +13,7 @@ namespace moserhex
  * diagonal block for each vertex, one coupling block for each edge.
  *
  * Two unknowns a vertex is what motion on a surface has. With blocks the graph is half the size of the scalar one and
- * each index is read once for sixteen floating-point operations: two to three times as fast as the scalar factorisation
+ * each index is read once for sixteen floating-point operations: about three times as fast as the scalar factorisation
  * of SparseCholesky, to the same result. Minimum-degree order of elimination, up-looking (row by row). Values go in by
  * vertex and edge number, so that assembly writes to known places. Deterministic, single-threaded. */
 class BlockCholesky

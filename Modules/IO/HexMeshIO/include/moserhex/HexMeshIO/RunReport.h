@@ -57,7 +57,7 @@ struct RunReport
   };
   struct Surface
   {
-    double rms{ 0.0 };     ///< distance of boundary nodes to the solid's surface [mm]
+    double rms{ 0.0 };     ///< of boundary nodes and quadrilateral centres to the solid's surface [mm]
     double maximum{ 0.0 }; ///< [mm]
   };
   struct Versions

@@ -13,12 +13,12 @@ using namespace moserhex::integration;
 namespace
 {
 
-class ClassicShapes : public testing::TestWithParam<const char *>
+class ClassicLabelmaps : public testing::TestWithParam<const char *>
 {};
 
 } // namespace
 
-TEST_P(ClassicShapes, GiveAMeshWithoutAFlippedTriangleOnAnyShell)
+TEST_P(ClassicLabelmaps, GiveAMeshWithoutAFlippedTriangleOnAnyShell)
 {
   const std::filesystem::path file =
     std::filesystem::path(MOSERHEX_DEVELOPMENT_DATA) / "classic" / (std::string(GetParam()) + ".nii.gz");
@@ -42,6 +42,6 @@ TEST_P(ClassicShapes, GiveAMeshWithoutAFlippedTriangleOnAnyShell)
 }
 
 INSTANTIATE_TEST_SUITE_P(Labelmaps,
-                         ClassicShapes,
+                         ClassicLabelmaps,
                          testing::Values("maxplanck_choi", "buddha_choi", "tooth_tora", "hippocampus_choi"),
-                         [](const testing::TestParamInfo<const char *> & info) { return std::string(info.param); });
+                         [](const auto & parameter) { return std::string(parameter.param); });
