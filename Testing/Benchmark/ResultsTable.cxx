@@ -92,7 +92,12 @@ double
 medianOf(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[values.size() / 2];
+  const std::size_t half = values.size() / 2;
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 double

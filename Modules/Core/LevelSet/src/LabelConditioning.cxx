@@ -247,6 +247,34 @@ automaticSpacing(double volume, double faceArea, int nodesPerSide)
   return std::min(std::min(halfCell, side / 24.0), std::max(0.5 * volume / faceArea, 0.5 * halfCell));
 }
 
+std::vector<std::string>
+warningsOf(const ConditioningReport & report)
+{
+  std::vector<std::string> warnings;
+  if (report.dropped.parts > 0)
+  {
+    warnings.push_back("smaller parts left out: " + std::to_string(report.dropped.parts) + ", of " +
+                       std::to_string(report.dropped.voxels) + " voxels in all");
+  }
+  if (report.filled.parts > 0)
+  {
+    warnings.push_back("cavities filled: " + std::to_string(report.filled.parts) + ", of " +
+                       std::to_string(report.filled.voxels) + " voxels in all");
+  }
+  if (report.cutByImageBorder)
+  {
+    warnings.emplace_back("the label touches the border of the image and was closed off there");
+  }
+  if (report.nodesCut + report.nodesFilled > 0)
+  {
+    std::ostringstream text;
+    text << "resampling would have changed the topology; keeping it moved " << 100.0 * report.changedVolumeFraction
+         << " % of the volume";
+    warnings.push_back(text.str());
+  }
+  return warnings;
+}
+
 ConditionedSolid
 conditionLabel(const LabelVolume & label, const ConditioningOptions & options, const ProgressCallback & progress)
 {

@@ -326,6 +326,23 @@ TEST(LabelConditioning, TwoRunsGiveTheSameBytes)
   EXPECT_EQ(conditionLabel(label, coarse()).levelSet.values, conditionLabel(label, coarse()).levelSet.values);
 }
 
+TEST(WarningsOf, SayWhatWasChangedAndNothingElse)
+{
+  EXPECT_TRUE(warningsOf({}).empty());
+  ConditioningReport report;
+  report.dropped = { 2, 17 };
+  report.filled = { 1, 5 };
+  report.cutByImageBorder = true;
+  report.nodesCut = 3;
+  report.changedVolumeFraction = 0.002;
+  const std::vector<std::string> warnings = warningsOf(report);
+  ASSERT_EQ(warnings.size(), 4u);
+  EXPECT_NE(warnings[0].find("2, of 17 voxels"), std::string::npos);
+  EXPECT_NE(warnings[1].find("1, of 5 voxels"), std::string::npos);
+  EXPECT_NE(warnings[2].find("border"), std::string::npos);
+  EXPECT_NE(warnings[3].find("0.2 % of the volume"), std::string::npos);
+}
+
 TEST(AutomaticSpacing, FollowsTheLatticeAndResolvesThinLabels)
 {
   const double cube = 1000.0; // side 10

@@ -172,6 +172,15 @@ meshSolid(const LevelSet &            ordering,
     result.sphereMaps[k].positions.clear();
   });
   reportProgress(progress, afterSphereMaps);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const std::vector<StepReport> & reports = result.sphereMaps[k].reports;
+    if (!reports.empty() && !reports.back().converged)
+    {
+      result.warnings.push_back("sphere map of shell " + std::to_string(k + 1) + " stopped after " +
+                                std::to_string(reports.back().steps) + " steps, before its minimiser");
+    }
+  }
   alignShellFramesInPlace(surfaces, maps);
   log.add("sphere maps", describe(result.sphereMaps));
 

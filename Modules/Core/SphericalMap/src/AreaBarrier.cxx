@@ -225,6 +225,17 @@ requireProblem(const std::vector<Triangle> & triangles,
   }
 }
 
+void
+requirePositions(const AreaBarrierSystem & system, const Positions & sphere)
+{
+  if (sphere.size() != system.bases().size())
+  {
+    std::ostringstream message;
+    message << sphere.size() << " positions on the sphere for " << system.bases().size() << " vertices";
+    throw InvalidInput(message.str());
+  }
+}
+
 } // namespace
 
 struct AreaBarrier::Implementation
@@ -246,6 +257,7 @@ AreaBarrier::~AreaBarrier() = default;
 double
 AreaBarrier::energy(const Positions & sphere, double shapeWeight) const
 {
+  requirePositions(m_Implementation->system, sphere);
   return m_Implementation->system.energy(sphere, shapeWeight).value;
 }
 
@@ -254,6 +266,7 @@ AreaBarrier::minimise(const Positions & start, const AreaBarrierOptions & option
 {
   const Stopwatch     watch;
   AreaBarrierSystem & system = m_Implementation->system;
+  requirePositions(system, start);
   if (!std::isfinite(system.energy(start, 1.0).value))
   {
     std::ostringstream message;

@@ -123,7 +123,8 @@ AreaBarrierSystem::energy(const Positions & sphere, double shapeWeight) const
   double shapeTerm = 0.0;
   for (std::size_t e = 0; e < m_Edges.size(); ++e)
   {
-    shapeTerm += 0.5 * m_Weights[e] * (sphere[m_Edges[e][0]] - sphere[m_Edges[e][1]]).squaredNorm();
+    const double squaredChord = (sphere[m_Edges[e][0]] - sphere[m_Edges[e][1]]).squaredNorm();
+    shapeTerm += m_Weights[e] * squaredChord / (2.0 - 0.5 * squaredChord);
   }
   return { areaTerm + shapeWeight * shapeTerm, std::sqrt(squares / (4.0 * pi)) };
 }
@@ -140,8 +141,8 @@ AreaBarrierSystem::assemble(const Positions & sphere, double shapeWeight, Hessia
   addShift(kind == Hessian::Exact ? 1e-10 : 1e-9);
 }
 
-/** Dirichlet energy. On the sphere |s_i - s_j|^2 / 2 = 1 - s_i . s_j, whose second derivative along the tangent at i is
- * s_i . s_j; Gauss-Newton takes 1 instead. */
+/** Shape energy q(c) = 2 (1 - c) / (1 + c) = 2 tan^2(angle / 2) of every edge, c = s_i . s_j. Its second derivative
+ * along the tangent at i has the part -q'(c) c; Gauss-Newton takes -q'(c) instead, which keeps the matrix positive. */
 void
 AreaBarrierSystem::assembleShape(const Positions & sphere, double shapeWeight, Hessian kind, double damping)
 {
@@ -150,14 +151,21 @@ AreaBarrierSystem::assembleShape(const Positions & sphere, double shapeWeight, H
   {
     const VertexIndex i = m_Edges[e][0];
     const VertexIndex j = m_Edges[e][1];
-    const Vector3     force = shapeWeight * m_Weights[e] * (sphere[i] - sphere[j]);
-    m_Gradient.segment<2>(2 * i) += m_Bases[i].transpose() * force;
-    m_Gradient.segment<2>(2 * j) -= m_Bases[j].transpose() * force;
+    const Vector3     chord = sphere[i] - sphere[j];
+    const double      cosinePlusOne = 2.0 - 0.5 * chord.squaredNorm();
+    const double      stiffness = 4.0 * shapeWeight * m_Weights[e] / (cosinePlusOne * cosinePlusOne); // -q'
+    const double      growth = 2.0 * stiffness / cosinePlusOne;                                       // q''
+    const double      extra = damping * m_Weights[e];
+    const Vector2     towardsJ = -m_Bases[i].transpose() * chord;
+    const Vector2     towardsI = m_Bases[j].transpose() * chord;
+    m_Gradient.segment<2>(2 * i) -= stiffness * towardsJ;
+    m_Gradient.segment<2>(2 * j) -= stiffness * towardsI;
 
-    const double curvature = exact ? shapeWeight * sphere[i].dot(sphere[j]) : shapeWeight;
-    m_Diagonal[i].diagonal().array() += (curvature + damping) * m_Weights[e];
-    m_Diagonal[j].diagonal().array() += (curvature + damping) * m_Weights[e];
-    m_Coupling[e] = -(shapeWeight + damping) * m_Weights[e] * (m_Bases[i].transpose() * m_Bases[j]);
+    const double diagonal = (exact ? stiffness * (cosinePlusOne - 1.0) : stiffness) + extra;
+    m_Diagonal[i] += growth * towardsJ * towardsJ.transpose() + diagonal * Matrix2::Identity();
+    m_Diagonal[j] += growth * towardsI * towardsI.transpose() + diagonal * Matrix2::Identity();
+    m_Coupling[e] =
+      growth * towardsJ * towardsI.transpose() - (stiffness + extra) * (m_Bases[i].transpose() * m_Bases[j]);
   }
 }
 

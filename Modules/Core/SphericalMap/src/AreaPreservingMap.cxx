@@ -10,6 +10,7 @@
 #include "moserhex/SphericalMap/MoserAreaFlow.h"
 #include "moserhex/SphericalMap/SphereHierarchy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -22,6 +23,9 @@ namespace
 constexpr double smallestShapeWeight = 0.02;
 constexpr double largestShapeWeight = 10.0;
 
+/** Volume over area^1.5 (0.094 for a ball) beyond which a negative volume means inward orientation, not noise. */
+constexpr double clearlyInwards = 1e-3;
+
 /** Above this area ratio rms a pass of Moser's flow saves up to half of the Newton steps. */
 constexpr double longShapeRms = 0.3;
 
@@ -29,7 +33,17 @@ constexpr double longShapeRms = 0.3;
 constexpr double largestStartEnergy = 10.0;
 
 /** Smallest eps tried for the area tolerance: below it angles pay more than areas gain. */
-constexpr double smallestContinuationWeight = 1e-7;
+constexpr double smallestContinuationWeight = 1e-8;
+
+/** The next smaller eps when the areas miss their tolerance. The rms goes with about the square root of eps; small
+ * steps matter, since far from the old minimiser the energy has several minima, and the map would depend on the way
+ * there. */
+double
+nextShapeWeight(double shapeWeight, double rms, double tolerance)
+{
+  const double predicted = 0.9 * (tolerance / rms) * (tolerance / rms);
+  return shapeWeight * std::min(std::max(predicted, 0.2), 0.7);
+}
 
 void
 requireInput(const TriangleMesh & surface, const AreaPreservingMapOptions & options)
@@ -44,9 +58,17 @@ requireInput(const TriangleMesh & surface, const AreaPreservingMapOptions & opti
       throw InvalidInput(message.str());
     }
   }
-  if (!(surfaceArea(surface) > 0.0))
+  const double area = surfaceArea(surface);
+  if (!(area > 0.0))
   {
     throw InvalidInput("sphere map: area of the surface is 0, need positive");
+  }
+  const double volume = enclosedVolume(surface);
+  if (volume < -clearlyInwards * area * std::sqrt(area))
+  {
+    std::ostringstream message;
+    message << "sphere map: enclosed volume = " << volume << " mm^3, need positive (triangles oriented outwards)";
+    throw InvalidInput(message.str());
   }
   if (!(options.shapeWeight > 0.0) || !(options.areaTolerance > 0.0) || !(options.relativeFloor > 0.0))
   {
@@ -88,7 +110,7 @@ public:
       }
     }
     m_Result.positions = rotated(m_Result.positions, bodyFrameRotation(m_Surface, m_Result.positions));
-    m_Result.quality = sphereMapQuality(m_Surface, m_Result.positions);
+    m_Result.quality = sphereMapQuality(m_Surface, m_Result.positions, m_Options.relativeFloor);
     if (m_Options.lastStage == SphereMapStage::AreaPreserving)
     {
       requireGuarantee();
@@ -168,13 +190,27 @@ private:
     m_Result.path += " + moser";
   }
 
+  void
+  tryMoserPass()
+  {
+    try
+    {
+      moserFlow(1);
+    }
+    catch (const NotConverged & failure)
+    {
+      // The Laplacian of a nearly degenerate map cannot be factorised; the start stays as it was.
+      m_Result.reports.push_back(failure.report);
+    }
+  }
+
   /** A conformal start can press limbs into so little of the sphere that descent takes for ever. */
   void
   improveStart(const AreaBarrier & barrier)
   {
     if (m_Result.path == "conformal" && sphereMapQuality(m_Surface, m_Result.positions).areaRatioRms > longShapeRms)
     {
-      moserFlow(1);
+      tryMoserPass();
     }
     const double energy = barrier.energy(m_Result.positions, AreaBarrierOptions{}.startShapeWeight);
     if (m_Result.path != "hierarchy" && energy > largestStartEnergy)
@@ -200,13 +236,16 @@ private:
     record(minimised, options.shapeWeight);
     while (minimised.areaRatioRms > m_Options.areaTolerance && options.shapeWeight > smallestContinuationWeight)
     {
-      options.shapeWeight *= 0.1;
+      options.shapeWeight = nextShapeWeight(options.shapeWeight, minimised.areaRatioRms, m_Options.areaTolerance);
       options.startShapeWeight = options.shapeWeight;
       minimised = barrier.minimise(minimised.positions, options, progressBetween(m_Progress, 0.8, 1.0));
       record(minimised, options.shapeWeight);
-      std::ostringstream step;
-      step << " + eps " << options.shapeWeight;
-      m_Result.path += step.str();
+    }
+    if (options.shapeWeight < m_Options.shapeWeight)
+    {
+      std::ostringstream weight;
+      weight << " + eps " << options.shapeWeight;
+      m_Result.path += weight.str();
     }
     m_Result.positions = std::move(minimised.positions);
   }

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <sstream>
 
@@ -22,8 +21,9 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double smallestShapeWeight = 0.02;
-constexpr double largestShapeWeight = 10.0;
+// A narrow range: the triangles of a coarse level say little about the shape they stand for.
+constexpr double smallestShapeWeight = 0.2;
+constexpr double largestShapeWeight = 2.0;
 
 /** The regular tetrahedron with the orientation of the four triangles that are left. */
 void
@@ -113,14 +113,15 @@ insertVertex(const CollapsedVertex & collapsed, Positions & sphere)
   return bestClearance > 0.0;
 }
 
-/** Targets of a level: true areas, forced into [mean / c, c mean] with c growing from two on the coarsest level. A coarse
+/** Targets of a level: true areas, forced into [mean / c, c mean] with c growing with the level. A coarse
  * triangulation cannot follow unequal areas: its triangles would have to be as long as half a great circle. */
 std::vector<double>
-levelTargets(std::vector<double> areas)
+levelTargets(std::vector<double> areas, double coarsestContrast)
 {
-  const double count = static_cast<double>(areas.size());
-  const double contrast = (std::getenv("CC")?std::atof(std::getenv("CC")):2.0) * std::sqrt(count / 20.0);
-  double       mean = 0.0;
+  constexpr double trianglesOfCoarsest = 20.0;
+  const double     count = static_cast<double>(areas.size());
+  const double     contrast = coarsestContrast * std::sqrt(count / trianglesOfCoarsest);
+  double           mean = 0.0;
   for (const double area : areas)
   {
     mean += area / count;
@@ -164,12 +165,12 @@ relaxLevel(const TriangleMesh &           surface,
     start.push_back(sphere[v]);
   }
   const TriangleTopology    topology = triangleTopology(local);
-  const std::vector<double> weights = clampedCotanWeights(local, topology, std::getenv("WLO")?std::atof(std::getenv("WLO")):0.02, std::getenv("WHI")?std::atof(std::getenv("WHI")):10);
-  AreaBarrier barrier(local.triangles, topology, levelTargets(level.areas), weights);
+  const std::vector<double> weights = clampedCotanWeights(local, topology, smallestShapeWeight, largestShapeWeight);
+  AreaBarrier        barrier(local.triangles, topology, levelTargets(level.areas, options.coarsestContrast), weights);
   AreaBarrierOptions relaxation;
   relaxation.shapeWeight = options.shapeWeight;
   relaxation.stopAtRms = options.relaxToRms;
-  relaxation.maximumSteps = finest ? 1 : (std::getenv("SPL")?std::atoi(std::getenv("SPL")):options.stepsPerLevel);
+  relaxation.maximumSteps = finest ? 1 : options.stepsPerLevel;
   const AreaBarrierResult relaxed = barrier.minimise(start, relaxation);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {

@@ -53,6 +53,10 @@ SphereLocator::SphereLocator(const std::vector<Triangle> & triangles, const Posi
   : m_Triangles(triangles), m_Sphere(sphere)
 {
   requireFinite(sphere);
+  if (triangles.empty())
+  {
+    throw InvalidInput("sphere locator: no triangles");
+  }
   m_Neighbours = triangleTopology({ sphere, triangles }).neighbours;
   // About four triangles a cell: a smaller table costs steps, a larger one memory.
   m_CellsPerSide = std::max(2, static_cast<int>(std::sqrt(static_cast<double>(triangles.size()) / 24.0)));
@@ -164,6 +168,12 @@ SphereLocator::locate(const Vector3 & direction) const
 SphereLocator::Hit
 SphereLocator::locateFrom(const Vector3 & direction, int startTriangle) const
 {
+  if (startTriangle < 0 || static_cast<std::size_t>(startTriangle) >= m_Triangles.size())
+  {
+    std::ostringstream message;
+    message << "start triangle " << startTriangle << ", need 0 to " << m_Triangles.size() - 1;
+    throw InvalidInput(message.str());
+  }
   const Vector3 unit = unitDirection(direction);
   Hit           hit;
   hit.triangle = walk(unit, startTriangle);

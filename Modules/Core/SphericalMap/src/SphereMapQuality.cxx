@@ -118,7 +118,7 @@ targetSolidAngles(std::vector<double> targets, double relativeFloor)
 }
 
 SphereMapQuality
-sphereMapQuality(const TriangleMesh & surface, const Positions & sphere)
+sphereMapQuality(const TriangleMesh & surface, const Positions & sphere, double relativeFloor)
 {
   if (surface.vertices.size() != sphere.size())
   {
@@ -126,7 +126,7 @@ sphereMapQuality(const TriangleMesh & surface, const Positions & sphere)
     message << sphere.size() << " positions on the sphere for " << surface.vertices.size() << " vertices";
     throw InvalidInput(message.str());
   }
-  const std::vector<double> targets = targetSolidAngles(surface);
+  const std::vector<double> targets = targetSolidAngles(surface, relativeFloor);
   std::vector<double>       vertexTarget(sphere.size(), 0.0);
   std::vector<double>       vertexSolidAngle(sphere.size(), 0.0);
   SphereMapQuality          quality;

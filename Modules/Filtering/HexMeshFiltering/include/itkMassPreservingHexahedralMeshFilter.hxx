@@ -87,6 +87,10 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
     afterOrdering,
     1.0);
 
+  std::vector<std::string>         warnings = moserhex::warningsOf(m_ConditioningReport);
+  const std::vector<std::string> & orderingWarnings = ordering->GetReport().warnings;
+  warnings.insert(warnings.end(), orderingWarnings.begin(), orderingWarnings.end());
+  m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
   const moserhex::MeshingStageReport first[2] = { { "conditioning", conditioningSeconds, {}, {} },
                                                   { "shell ordering", orderingSeconds, {}, {} } };
   m_Result.stages.insert(m_Result.stages.begin(), first, first + 2);

@@ -6,6 +6,7 @@
 #include "moserhex/LevelSet/VoxelTopology.h"
 
 #include <string>
+#include <vector>
 
 namespace moserhex
 {
@@ -49,6 +50,11 @@ struct ConditioningReport
   double        dice{ 0.0 };                  ///< of the label's voxels and the voxels whose centre has phi < 0 [1]
   double        seconds{ 0.0 };               ///< wall time
 };
+
+/** What of it a user should be told, one line each: parts left out, cavities filled, a mask closed off at the border of
+ * the image, nodes changed to protect the topology. Empty when the label was taken as it is. */
+[[nodiscard]] std::vector<std::string>
+warningsOf(const ConditioningReport & report);
 
 struct ConditionedSolid
 {

@@ -22,7 +22,7 @@ public:
     Vector3 barycentric{ Vector3::Zero() }; ///< >= 0, sum 1: central projection onto the flat triangle
   };
 
-  /** \throws InvalidInput when the triangulation is not a closed manifold, or a position is not finite */
+  /** \throws InvalidInput when the triangulation is empty or not a closed manifold, or a position is not finite */
   SphereLocator(const std::vector<Triangle> & triangles, const Positions & sphere);
 
   /** The triangle that holds `direction` (any length but zero); on a shared side or vertex, one of the triangles there.
@@ -30,7 +30,8 @@ public:
   [[nodiscard]] Hit
   locate(const Vector3 & direction) const;
 
-  /** The same, starting the walk at `startTriangle`: fast when successive directions are close. */
+  /** The same, starting the walk at `startTriangle`: fast when successive directions are close.
+   * \throws InvalidInput when there is no such triangle, or the direction is zero or not finite */
   [[nodiscard]] Hit
   locateFrom(const Vector3 & direction, int startTriangle) const;
 

@@ -42,9 +42,9 @@ struct SphereMapQuality
   double quasiConformal{ 0.0 }; ///< area-weighted mean of sigma_1 / sigma_2 of the map, 1 when conformal [1]
 };
 
-/** \throws InvalidInput when the sizes differ or the surface has no area */
+/** relativeFloor: see targetSolidAngles. \throws InvalidInput when the sizes differ or the surface has no area */
 [[nodiscard]] SphereMapQuality
-sphereMapQuality(const TriangleMesh & surface, const Positions & sphere);
+sphereMapQuality(const TriangleMesh & surface, const Positions & sphere, double relativeFloor = 1e-3);
 
 /** No flipped triangle and solid angles that sum to 4 pi within 1e-9: one-to-one onto the sphere. */
 [[nodiscard]] bool
