@@ -1,132 +1,34 @@
-// moserhex_results DATA OUTPUT.md
+// moserhex_results DATA OUTPUT.md [--growth] [--cases K]
 //
-// Writes Documentation/Results.md: the columns of the paper's tables 1 and 2 next to ours, for the labelmaps in
-// DATA/dev/Bosma22b (real prostates) and DATA/classic.
-#include "itkMassPreservingHexahedralMeshFilter.h"
+// Writes Documentation/Results.md: the exact meshes with an ablation and gmsh's next to them, then the columns of the
+// paper's tables 1 and 2 next to ours, for the labelmaps in DATA/dev/Bosma22b (real prostates) and DATA/classic.
+// --growth adds a table over N = 10 ... 32, which takes a minute; --cases K takes the first K labelmaps only.
+#include "ExactResults.h"
+#include "ResultsRun.h"
 
-#include "moserhex/Common/Stopwatch.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
-#include "moserhex/HexMeshIO/LabelImageReader.h"
 
-#include <algorithm>
-#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 namespace
 {
 
 using namespace moserhex;
-using Pipeline = itk::MassPreservingHexahedralMeshFilter<LabelImageType>;
+using namespace moserhex::results;
 
-/** One whole run: the filter after Update(), and its wall time. */
-struct Run
+struct Arguments
 {
-  Pipeline::Pointer pipeline;
-  double            seconds{ 0.0 };
+  std::filesystem::path data;
+  std::string           output;
+  bool                  growth{ false };
+  std::size_t           cases{ std::numeric_limits<std::size_t>::max() };
 };
-
-struct RunOptions
-{
-  int                   shells{ 10 };
-  bool                  smoothing{ true };
-  Pipeline::ShellMethod method{ Pipeline::ShellMethod::ChanVese };
-};
-
-Run
-runPipeline(const LabelImage & image, const RunOptions & runOptions)
-{
-  Run                 run{ Pipeline::New(), 0.0 };
-  SolidMeshingOptions options;
-  options.shells = runOptions.shells;
-  if (!runOptions.smoothing)
-  {
-    options.smoothing.edges.slides = 0;
-    options.smoothing.guarded.sweeps = 0;
-    options.flow.smoothedPasses = 0;
-  }
-  run.pipeline->SetMeshingOptions(options);
-  run.pipeline->SetShellMethod(runOptions.method);
-  run.pipeline->SetInput(image.image);
-  run.pipeline->SetLabel(chooseLabel(image, std::nullopt).value);
-  const Stopwatch stopwatch;
-  run.pipeline->Update();
-  run.seconds = stopwatch.seconds();
-  return run;
-}
-
-const HexQualitySummary &
-qualityAfter(const Run & run, const std::string & stage)
-{
-  const auto & stages = run.pipeline->GetStages();
-  const auto   found = std::find_if(
-    stages.begin(), stages.end(), [&](const MeshingStageReport & s) { return s.name == stage && s.quality; });
-  if (found == stages.end())
-  {
-    throw std::runtime_error("stage " + stage + " was not run");
-  }
-  return *found->quality;
-}
-
-std::string
-fixed(double value, int digits)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
-
-/** Two significant digits, also for small numbers. */
-std::string
-significant(double value)
-{
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
-}
-
-double
-medianOf(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
-double
-largestOf(const std::vector<double> & values)
-{
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
-
-std::vector<std::filesystem::path>
-imagesIn(const std::filesystem::path & folder)
-{
-  std::vector<std::filesystem::path> files;
-  for (const auto & entry : std::filesystem::directory_iterator(folder))
-  {
-    if (isLabelImageName(entry.path().string()))
-    {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::string
-caseName(const std::filesystem::path & file)
-{
-  const std::string name = file.filename().string();
-  return name.substr(0, name.find('.'));
-}
 
 struct PaperRow
 {
@@ -188,12 +90,13 @@ writePaperRows(std::ostream & os)
 }
 
 void
-writeProstates(std::ostream & os, const std::filesystem::path & folder)
+writeProstates(std::ostream & os, const std::vector<std::filesystem::path> & files)
 {
   os
     << "## Prostates: the paper's table 2\n\n"
-       "8000 nodes, 6859 hexahedra (N = 10). \"Initial\" is the variance after the shells are joined, before any\n"
-       "smoothing or flow. The paper's times are MATLAB on a 2.66 GHz dual core.\n\n"
+       "`--stage moser`, 8000 nodes, 6859 hexahedra (N = 10). \"Initial\" is the variance after the shells are "
+       "joined,\n"
+       "before any smoothing or flow. The paper's times are MATLAB on a 2.66 GHz dual core.\n\n"
        "| case | mL | initial vol. var. | % concave | vol. var. | % concave (w/ smooth) | vol. var. (w/ smooth) | time "
        "(s) | SJ min | SJ median | boundary max (mm) |\n"
        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
@@ -201,7 +104,7 @@ writeProstates(std::ostream & os, const std::filesystem::path & folder)
   std::map<std::string, std::vector<double>> seconds;
   std::vector<std::string>                   order;
   Columns                                    shells;
-  for (const auto & file : imagesIn(folder))
+  for (const auto & file : files)
   {
     std::cerr << caseName(file) << std::endl;
     const LabelImage image = readLabelImage(file.string());
@@ -299,24 +202,76 @@ writeProstates(std::ostream & os, const std::filesystem::path & folder)
   }
 }
 
+struct Model
+{
+  const char * paperName;
+  const char * file;
+  int          shells;
+  const char * paperVariance;
+  const char * paperConcave;
+};
+constexpr Model models[] = { { "Max-Planck 1", "maxplanck_choi", 6, "0.25", "14.9" },
+                             { "Max-Planck 2", "maxplanck_choi", 7, "0.22", "11.6" },
+                             { "squirrel", "squirrel_vhacd", 8, "0.24", "11.1" },
+                             { "tooth", "tooth_tora", 6, "0.18", "16.4" },
+                             { "brain", "brain_choi", 7, "0.13", "7.20" },
+                             { "(Buddha)", "buddha_choi", 10, "", "" },
+                             { "(hippocampus)", "hippocampus_choi", 10, "", "" } };
+
+std::filesystem::path
+fileOf(const Model & model, const std::filesystem::path & folder)
+{
+  return folder / (std::string(model.file) + ".nii.gz");
+}
+
+std::vector<ExactCase>
+classicCases(const std::filesystem::path & folder, std::size_t atMost)
+{
+  std::vector<ExactCase> cases;
+  for (const Model & model : models)
+  {
+    if (cases.size() < atMost)
+    {
+      cases.push_back({ model.paperName, fileOf(model, folder), model.shells });
+    }
+  }
+  return cases;
+}
+
+std::vector<ExactCase>
+prostateCases(const std::vector<std::filesystem::path> & files)
+{
+  std::vector<ExactCase> cases;
+  for (const auto & file : files)
+  {
+    cases.push_back({ caseName(file), file, 10 });
+  }
+  return cases;
+}
+
+void
+writeExactTables(std::ostream & os, const std::vector<std::filesystem::path> & prostates, const Arguments & arguments)
+{
+  // The growth's memory is the process's peak: nothing else must run before.
+  std::ostringstream growth;
+  if (arguments.growth)
+  {
+    writeGrowth(growth, prostates.at(prostates.size() / 2));
+  }
+  os << "## Exact meshes: the default\n\n"
+        "`--stage exact --way fast`, 8000 nodes, 6859 hexahedra (N = 10). Certified: det J > 0 in the whole cell, by\n"
+        "Bezier coefficients. Volume error: mesh against voxels. Boundary: nodes and face centres to the conditioned\n"
+        "surface. Times with reading and writing.\n\n";
+  writeExact(os, prostateCases(prostates), true);
+  writeGmsh(os, prostateCases(prostates));
+  os << "\n### Exact meshes of the classic shapes\n\nShells as in the paper's table 1, below.\n\n";
+  writeExact(os, classicCases(arguments.data / "classic", arguments.cases), false);
+  os << growth.str() << '\n';
+}
+
 void
 writeClassics(std::ostream & os, const std::filesystem::path & folder)
 {
-  struct Model
-  {
-    const char * paperName;
-    const char * file;
-    int          shells;
-    const char * paperVariance;
-    const char * paperConcave;
-  };
-  const Model models[] = { { "Max-Planck 1", "maxplanck_choi", 6, "0.25", "14.9" },
-                           { "Max-Planck 2", "maxplanck_choi", 7, "0.22", "11.6" },
-                           { "squirrel", "squirrel_vhacd", 8, "0.24", "11.1" },
-                           { "tooth", "tooth_tora", 6, "0.18", "16.4" },
-                           { "brain", "brain_choi", 7, "0.13", "7.20" },
-                           { "(Buddha)", "buddha_choi", 10, "", "" },
-                           { "(hippocampus)", "hippocampus_choi", 10, "", "" } };
   os << "\n## Classic shapes: the paper's table 1\n\n"
         "Models of the same name, voxelised; not the paper's own files. Models in brackets are not in its table.\n\n"
         "| model | nodes | hexahedra | vol. var., paper | vol. var. | % concave, paper | % concave | SJ median | note "
@@ -332,7 +287,7 @@ writeClassics(std::ostream & os, const std::filesystem::path & folder)
     {
       RunOptions options;
       options.shells = model.shells;
-      const Run run = runPipeline(readLabelImage((folder / (std::string(model.file) + ".nii.gz")).string()), options);
+      const Run                 run = runPipeline(readLabelImage(fileOf(model, folder).string()), options);
       const HexQualitySummary & final = qualityAfter(run, "moser flow");
       os << significant(final.volumeVariance) << " | " << model.paperConcave << " | " << fixed(final.concavePercent, 2)
          << " | " << fixed(final.scaledJacobian.median, 2) << " | |\n";
@@ -348,28 +303,70 @@ writeClassics(std::ostream & os, const std::filesystem::path & folder)
   }
 }
 
+Arguments
+parse(int argc, char ** argv)
+{
+  Arguments                arguments;
+  std::vector<std::string> names;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    if (word == "--growth")
+    {
+      arguments.growth = true;
+    }
+    else if (word == "--cases" && i + 1 < argc)
+    {
+      arguments.cases = std::stoul(argv[++i]);
+    }
+    else
+    {
+      names.push_back(word);
+    }
+  }
+  if (names.size() != 2 || arguments.cases == 0)
+  {
+    throw std::invalid_argument("usage: moserhex_results DATA OUTPUT.md [--growth] [--cases K]");
+  }
+  arguments.data = names[0];
+  arguments.output = names[1];
+  return arguments;
+}
+
+void
+writeResults(const Arguments & arguments)
+{
+  const auto prostates = imagesIn(arguments.data / "dev" / "Bosma22b", arguments.cases);
+  if (prostates.empty())
+  {
+    throw std::runtime_error("no labelmap in " + (arguments.data / "dev" / "Bosma22b").string());
+  }
+  std::ostringstream text;
+  text
+    << "# Results\n\n"
+       "Written by `moserhex_results DATA Documentation/Results.md --growth` (preset `bench`); do not edit by hand.\n"
+       "Data: PI-CAI prostate segmentations (CC BY-NC 4.0, Saha et al., Lancet Oncol 2024) and classic shapes;\n"
+       "neither is part of this repository. Volume variance, % concave and scaled Jacobian (SJ) as defined in\n"
+       "`Modules/Core/Quality/README.md`.\n\n";
+  writeExactTables(text, prostates, arguments);
+  writeProstates(text, prostates);
+  writeClassics(text, arguments.data / "classic");
+  writeTextFile(arguments.output, text.str());
+}
+
 } // namespace
 
 int
 main(int argc, char ** argv)
 {
-  if (argc != 3)
-  {
-    std::cerr << "usage: moserhex_results DATA OUTPUT.md\n";
-    return 2;
-  }
   try
   {
-    const std::filesystem::path data = argv[1];
-    std::ostringstream          text;
-    text << "# Results\n\n"
-            "Written by `moserhex_results DATA Documentation/Results.md` (preset `bench`); do not edit by hand.\n"
-            "Data: PI-CAI prostate segmentations (CC BY-NC 4.0, Saha et al., Lancet Oncol 2024) and classic shapes;\n"
-            "neither is part of this repository. Volume variance, % concave and scaled Jacobian (SJ) as defined in\n"
-            "`Modules/Core/Quality/README.md`.\n\n";
-    writeProstates(text, data / "dev" / "Bosma22b");
-    writeClassics(text, data / "classic");
-    writeTextFile(argv[2], text.str());
+    writeResults(parse(argc, argv));
+  }
+  catch (const std::invalid_argument & error)
+  {
+    std::cerr << error.what() << '\n';
+    return 2;
   }
   catch (const std::exception & error)
   {

@@ -1,5 +1,6 @@
 #include "Console.h"
 #include "MeshCommand.h"
+#include "QualityCommand.h"
 #include "SampleCommand.h"
 #include "Signals.h"
 #include "Version.h"
@@ -50,15 +51,40 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
     ->capture_default_str();
   command->add_option("--label", options.label, "Label to mesh; not needed when there is only one");
   command->add_option("--stage", options.stage, "Last stage to run")
-    ->check(CLI::IsMember({ "initial", "smoothed", "moser" }))
+    ->check(CLI::IsMember({ "initial", "smoothed", "moser", "exact" }))
     ->capture_default_str();
-  command->add_option("--shell-method", options.shellMethod, "How the shells are found")
-    ->check(CLI::IsMember({ "chan-vese", "snapshots", "eikonal" }))
+  command
+    ->add_option("--way", options.way, "Where the exact mesh starts from: three shells, or all stages with all shells")
+    ->check(CLI::IsMember({ "fast", "faithful" }))
+    ->capture_default_str();
+  command->add_option("--frame", options.frame, "How the cube is turned against the body")
+    ->check(CLI::IsMember({ "anatomical", "ridge" }))
+    ->capture_default_str();
+  command->add_option("--density", options.density, "Positive image: every cell gets the same mass, not volume");
+  command->add_flag("--allow-partial", options.allowPartial, "Write a mesh that is not exact, with a warning");
+  command
+    ->add_option(
+      "--shell-method", options.shellMethod, "How the shells are found; auto: eikonal for the fast way, else chan-vese")
+    ->check(CLI::IsMember({ "auto", "chan-vese", "snapshots", "eikonal" }))
     ->capture_default_str();
   command->add_option("--report", options.reportFile, "Write a report of the run as JSON");
   command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")
     ->check(CLI::Range(1, 1024));
   command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+}
+
+CLI::App *
+addQualityCommand(CLI::App & program, QualityCommandOptions & options)
+{
+  CLI::App * command = program.add_subcommand("quality", "Measure the quality of a hexahedral mesh of any tool");
+  command->add_option("MESH", options.mesh, "Hexahedra (.vtu .vtk .msh .mesh .inp), LPS millimetres")->required();
+  command->add_option("--label-image", options.labelImage, "Labelmap to compare the mesh with");
+  command->add_option("--label", options.label, "Label in it; not needed when there is only one");
+  command->add_option("--json", options.jsonFile, "Write the numbers as JSON");
+  command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")
+    ->check(CLI::Range(1, 1024));
+  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  return command;
 }
 
 int
@@ -113,9 +139,11 @@ run(int argc, char ** argv)
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
-  std::string sampleFolder;
-  bool        sampleQuiet = false;
-  CLI::App *  sample =
+  QualityCommandOptions qualityOptions;
+  const CLI::App *      quality = addQualityCommand(program, qualityOptions);
+  std::string           sampleFolder;
+  bool                  sampleQuiet = false;
+  CLI::App *            sample =
     program.add_subcommand("sample", "Write a made-up prostate, its zones and a follow-up as labelmaps");
   sample->add_option("DIR", sampleFolder, "Folder to write to")->required();
   sample->add_flag("--quiet", sampleQuiet, "Print errors only");
@@ -131,6 +159,10 @@ run(int argc, char ** argv)
   if (sample->parsed())
   {
     return runGuarded([&] { runSampleCommand(sampleFolder, sampleQuiet); });
+  }
+  if (quality->parsed())
+  {
+    return runGuarded([&] { runQualityCommand(qualityOptions); });
   }
   return runGuarded([&] { runMeshCommand(meshOptions); });
 }

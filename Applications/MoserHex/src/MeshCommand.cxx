@@ -1,6 +1,7 @@
 #include "MeshCommand.h"
 
 #include "Console.h"
+#include "SameFile.h"
 #include "Version.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
@@ -8,6 +9,7 @@
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/LabelImageReader.h"
+#include "moserhex/HexMeshIO/ScalarImageReader.h"
 #include "moserhex/HexMeshIO/Sha256.h"
 #include "moserhex/HexMeshIO/SurfaceReader.h"
 #include "moserhex/HexMeshIO/SurfaceVoxelisation.h"
@@ -29,14 +31,6 @@ namespace fs = std::filesystem;
 
 using FilterType = itk::MassPreservingHexahedralMeshFilter<LabelImageType, itk::LatticeHexMesh>;
 
-bool
-sameFile(const std::string & a, const std::string & b)
-{
-  std::error_code ignored;
-  return !a.empty() && !b.empty() &&
-         fs::weakly_canonical(fs::absolute(a), ignored) == fs::weakly_canonical(fs::absolute(b), ignored);
-}
-
 /** What can be wrong with the names is found before the work, not after. */
 void
 requireUsableNames(const MeshCommandOptions & options)
@@ -51,6 +45,14 @@ requireUsableNames(const MeshCommandOptions & options)
     throw BadInput(options.input,
                    "the name's ending is not that of a labelmap or a surface",
                    "give .nrrd .nii .nii.gz .mha .mhd, or .vtk .vtp .stl .obj .ply .off");
+  }
+  if (!options.density.empty() && options.stage != "exact")
+  {
+    throw UsageError("--density needs --stage exact");
+  }
+  if (sameFile(options.density, options.output) || sameFile(options.density, options.reportFile))
+  {
+    throw UsageError(fileMessage(options.density, "would be overwritten", "give another name for the output"));
   }
   if (sameFile(options.input, options.output) || sameFile(options.input, options.reportFile))
   {
@@ -110,6 +112,7 @@ stageOf(const std::string & name)
     { "initial", MeshingStage::Initial },
     { "smoothed", MeshingStage::Smoothed },
     { "moser", MeshingStage::Moser },
+    { "exact", MeshingStage::Exact },
   };
   return stages.at(name);
 }
@@ -123,7 +126,10 @@ descriptionOf(const itk::ExceptionObject & error)
 
 /** The one call of the pipeline: labelmap in, filter with its results out. */
 FilterType::Pointer
-runPipeline(const LabelImage & input, LabelValue label, const MeshCommandOptions & options)
+runPipeline(const LabelImage &         input,
+            LabelValue                 label,
+            const ScalarImageType *    density,
+            const MeshCommandOptions & options)
 {
   const auto      filter = FilterType::New();
   ProgressPrinter progress(options.quiet);
@@ -131,7 +137,14 @@ runPipeline(const LabelImage & input, LabelValue label, const MeshCommandOptions
   filter->SetLabel(label);
   filter->SetNumberOfShells(options.shells);
   filter->SetLastStage(stageOf(options.stage));
-  filter->SetShellMethod(shellMethodOf(options.shellMethod));
+  filter->SetWay(options.way == "faithful" ? MeshingWay::Faithful : MeshingWay::Fast);
+  filter->SetAllowPartial(options.allowPartial);
+  filter->SetFrame(options.frame == "ridge" ? LatticeFrame::Ridge : LatticeFrame::Anatomical);
+  filter->SetDensityImage(density);
+  if (options.shellMethod != "auto")
+  {
+    filter->SetShellMethod(shellMethodOf(options.shellMethod));
+  }
   filter->SetNumberOfWorkUnits(options.threads);
   filter->AddObserver(itk::ProgressEvent(), [&progress, &filter](const itk::EventObject &) {
     progress.show(static_cast<double>(filter->GetProgress()));
@@ -142,7 +155,12 @@ runPipeline(const LabelImage & input, LabelValue label, const MeshCommandOptions
   }
   catch (const itk::InvalidInputError & error)
   {
-    throw BadInput(options.input, descriptionOf(error), "correct the label in an editor");
+    const std::string description = descriptionOf(error);
+    if (density != nullptr && description.find("density") != std::string::npos)
+    {
+      throw BadInput(options.density, description, "give a positive image that covers the label");
+    }
+    throw BadInput(options.input, description, "correct the label in an editor");
   }
   catch (const itk::ExceptionObject & error)
   {
@@ -192,6 +210,17 @@ describeResult(const SolidMeshingResult & result, const std::vector<MeshingStage
   report.mesh.nodes = result.mesh.nodes.size();
   report.mesh.cells = result.mesh.cellCount();
   report.surface = RunReport::Surface{ result.boundary.rms, result.boundary.maximum };
+  if (result.equalisation)
+  {
+    RunReport::Exact exact;
+    exact.reached = result.equalisation->exact;
+    exact.certified = result.equalisation->uncertifiedCells == 0;
+    exact.uncertifiedCells = result.equalisation->uncertifiedCells;
+    exact.variance = result.equalisation->variance;
+    exact.massQuadratureError = result.mass ? result.mass->quadratureError : 0.0;
+    exact.shortcomings = result.equalisation->shortcomings;
+    report.exact = exact;
+  }
   report.warnings.insert(report.warnings.end(), result.warnings.begin(), result.warnings.end());
 }
 
@@ -220,6 +249,14 @@ printSummary(const RunReport & report, const MeshCommandOptions & options)
   if (report.surface)
   {
     std::printf("; surface within %.2f mm (rms %.2f)", report.surface->maximum, report.surface->rms);
+  }
+  if (report.exact)
+  {
+    std::printf("\n%s: variance of the %s %.1e, %s",
+                report.exact->reached ? "exact" : "NOT EXACT",
+                report.parameters.density.empty() ? "volumes" : "masses",
+                report.exact->variance,
+                report.exact->certified ? "every cell certified" : "cells not certified");
   }
   std::printf("\nmesh    %s\n", options.output.c_str());
   if (!options.reportFile.empty())
@@ -250,14 +287,22 @@ runMeshCommand(const MeshCommandOptions & userOptions)
 
   RunReport report;
   report.input = describeInput(image, entry);
-  report.parameters = { options.shells, options.stage, options.shellMethod };
+  report.parameters = { options.shells,      options.stage,
+                        options.shellMethod, options.stage == "exact" ? options.way : "",
+                        options.frame,       options.density };
   report.threads = options.threads;
   report.versions = libraryVersions();
   report.versions.moserhex = version;
   report.versions.git = gitDescription;
   report.warnings = image.warnings;
 
-  const auto                 filter = runPipeline(image, entry.value, options);
+  ScalarImage density;
+  if (!options.density.empty())
+  {
+    density = readScalarImage(options.density);
+    report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
+  }
+  const auto                 filter = runPipeline(image, entry.value, density.image.GetPointer(), options);
   const SolidMeshingResult & result = filter->GetResult();
   describeResult(result, filter->GetStages(), report);
   report.mesh.file = options.output;

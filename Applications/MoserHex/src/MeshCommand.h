@@ -15,9 +15,13 @@ struct MeshCommandOptions
   std::string                 reportFile; ///< empty: no report
   int                         shells{ 10 };
   std::optional<std::int32_t> label;
-  std::string                 stage{ "moser" };           ///< initial | smoothed | moser
-  std::string                 shellMethod{ "chan-vese" }; ///< chan-vese | snapshots | eikonal
-  unsigned int                threads{ 0 };               ///< 0: all of the machine's
+  std::string                 stage{ "exact" };      ///< initial | smoothed | moser | exact
+  std::string                 way{ "fast" };         ///< fast | faithful
+  std::string                 frame{ "anatomical" }; ///< anatomical | ridge
+  std::string                 density;               ///< image of a positive density; empty: volumes
+  bool                        allowPartial{ false }; ///< write a mesh that is not exact, with a warning
+  std::string                 shellMethod{ "auto" }; ///< auto | chan-vese | snapshots | eikonal
+  unsigned int                threads{ 0 };          ///< 0: all of the machine's
   bool                        quiet{ false };
 };
 

@@ -65,11 +65,7 @@ extendOverFacesInPlace(HexMesh & values)
     return;
   }
   const Eigen::MatrixXd sines = sineMatrix(inner);
-  Eigen::VectorXd       eigenvalues(inner);
-  for (int a = 0; a < inner; ++a)
-  {
-    eigenvalues[a] = 2.0 - 2.0 * std::cos(std::acos(-1.0) * (a + 1) / (inner + 1));
-  }
+  const Eigen::VectorXd eigenvalues = laplacianEigenvalues(inner, CubeTransform::Basis::Sine);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (const int level : { 0, n - 1 })

@@ -3,7 +3,6 @@
 #include "moserhex/Common/Errors.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace moserhex
 {
@@ -18,31 +17,11 @@ voxelCount(const LabelVolume & label)
 void
 requireValid(const LabelVolume & label, const std::string & what)
 {
-  std::size_t voxels = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double spacing = label.spacing[static_cast<int>(axis)];
-    if (label.size[axis] < 1 || !(spacing > 0.0) || !std::isfinite(spacing))
-    {
-      throw InvalidInput(what + ": " + std::to_string(label.size[axis]) + " voxels of " + std::to_string(spacing) +
-                         " mm along axis " + std::to_string(axis) + ", need at least 1 of a positive size");
-    }
-    voxels *= static_cast<std::size_t>(label.size[axis]);
-  }
-  if (label.inside.size() != voxels)
+  requireValid(static_cast<const VoxelGrid &>(label), what);
+  if (label.inside.size() != label.gridVoxels())
   {
     throw InvalidInput(what + ": " + std::to_string(label.inside.size()) + " mask entries for " +
-                       std::to_string(voxels) + " voxels");
-  }
-  const double error = (label.direction.transpose() * label.direction - Matrix3::Identity()).cwiseAbs().maxCoeff();
-  if (!(error <= 1e-6))
-  {
-    throw InvalidInput(what + ": image direction is not orthonormal (error " + std::to_string(error) +
-                       ", allowed 1e-6)");
-  }
-  if (!label.origin.allFinite())
-  {
-    throw InvalidInput(what + ": image origin is not finite");
+                       std::to_string(label.gridVoxels()) + " voxels");
   }
   if (voxelCount(label) == 0)
   {
@@ -76,16 +55,14 @@ cropAndPad(const LabelVolume & label, const std::array<int, 3> & margin)
     }
   }
   LabelVolume result;
-  std::size_t voxels = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     result.size[axis] = upper[axis] - lower[axis] + 1 + 2 * margin[axis];
-    voxels *= static_cast<std::size_t>(result.size[axis]);
   }
   result.spacing = label.spacing;
   result.direction = label.direction;
   result.origin = label.point(lower[0] - margin[0], lower[1] - margin[1], lower[2] - margin[2]);
-  result.inside.assign(voxels, 0);
+  result.inside.assign(result.gridVoxels(), 0);
   for (int k = lower[2]; k <= upper[2]; ++k)
   {
     for (int j = lower[1]; j <= upper[1]; ++j)

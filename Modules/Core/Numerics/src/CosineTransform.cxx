@@ -20,6 +20,7 @@ requirePositive(int n, const char * what)
   }
 }
 
+/** One field, not several. */
 void
 requireCube(const Eigen::VectorXd & field, Eigen::Index n)
 {
@@ -30,20 +31,12 @@ requireCube(const Eigen::VectorXd & field, Eigen::Index n)
   }
 }
 
-/** values(a + n (b + n c)) = one[a] + one[b] + one[c]. */
 Eigen::VectorXd
-sumOverAxes(const Eigen::VectorXd & one)
+applied(const SpectralOperator & matrix, Eigen::VectorXd field, unsigned int threads)
 {
-  const Eigen::Index n = one.size();
-  Eigen::VectorXd    values(n * n * n);
-  for (Eigen::Index c = 0; c < n; ++c)
-  {
-    for (Eigen::Index b = 0; b < n; ++b)
-    {
-      values.segment(n * (b + n * c), n) = one.array() + (one[b] + one[c]);
-    }
-  }
-  return values;
+  requireCube(field, matrix.transform().size());
+  matrix.applyInPlace(field, ComponentOrder::Interleaved, threads);
+  return field;
 }
 } // namespace
 
@@ -78,71 +71,37 @@ sineMatrix(int n)
   return matrix;
 }
 
-Eigen::VectorXd
-transformAllAxes(const Eigen::MatrixXd & matrix, const Eigen::VectorXd & field)
-{
-  const Eigen::Index n = matrix.rows();
-  requireCube(field, n);
-  using ConstMap = Eigen::Map<const Eigen::MatrixXd>;
-  using Map = Eigen::Map<Eigen::MatrixXd>;
-
-  Eigen::VectorXd alongI(field.size());
-  Map(alongI.data(), n, n * n).noalias() = matrix * ConstMap(field.data(), n, n * n);
-  Eigen::VectorXd alongJ(field.size());
-  for (Eigen::Index k = 0; k < n; ++k)
-  {
-    Map(alongJ.data() + n * n * k, n, n).noalias() = ConstMap(alongI.data() + n * n * k, n, n) * matrix.transpose();
-  }
-  Map(alongI.data(), n * n, n).noalias() = ConstMap(alongJ.data(), n * n, n) * matrix.transpose();
-  return alongI;
-}
-
 NeumannPoissonSolver::NeumannPoissonSolver(int cellsPerSide)
-  : m_Cosines(cosineMatrix(cellsPerSide)), m_CosinesTransposed(m_Cosines.transpose())
+  : m_Inverse(functionOfLaplacian(cellsPerSide, CubeTransform::Basis::Cosine, [](double lambda) {
+    return lambda > 0.0 ? 1.0 / lambda : 0.0; // the constant has no inverse
+  }))
+{}
+
+Eigen::VectorXd
+NeumannPoissonSolver::solve(const Eigen::VectorXd & f, unsigned int threads) const
 {
-  Eigen::VectorXd eigenvalues(cellsPerSide);
-  for (int a = 0; a < cellsPerSide; ++a)
-  {
-    eigenvalues[a] = 2.0 - 2.0 * std::cos(pi * a / cellsPerSide);
-  }
-  m_InverseEigenvalues = sumOverAxes(eigenvalues);
-  m_InverseEigenvalues[0] = 1.0;
-  m_InverseEigenvalues = m_InverseEigenvalues.cwiseInverse().eval();
-  m_InverseEigenvalues[0] = 0.0;
+  return applied(m_Inverse, f, threads);
+}
+
+DirichletLatticeSolver::DirichletLatticeSolver(int nodesPerSide)
+  : m_Inverse(functionOfLaplacian(nodesPerSide, CubeTransform::Basis::Sine, [](double lambda) { return 1.0 / lambda; }))
+{}
+
+Eigen::VectorXd
+DirichletLatticeSolver::solvePoisson(const Eigen::VectorXd & f, unsigned int threads) const
+{
+  return applied(m_Inverse, f, threads);
 }
 
 Eigen::VectorXd
-NeumannPoissonSolver::solve(const Eigen::VectorXd & f) const
-{
-  const Eigen::VectorXd spectrum = transformAllAxes(m_Cosines, f);
-  return transformAllAxes(m_CosinesTransposed, spectrum.cwiseProduct(m_InverseEigenvalues));
-}
-
-DirichletLatticeSolver::DirichletLatticeSolver(int nodesPerSide) : m_Sines(sineMatrix(nodesPerSide))
-{
-  Eigen::VectorXd eigenvalues(nodesPerSide);
-  for (int a = 0; a < nodesPerSide; ++a)
-  {
-    eigenvalues[a] = 2.0 - 2.0 * std::cos(pi * (a + 1) / (nodesPerSide + 1));
-  }
-  m_Eigenvalues = sumOverAxes(eigenvalues);
-}
-
-Eigen::VectorXd
-DirichletLatticeSolver::solvePoisson(const Eigen::VectorXd & f) const
-{
-  return transformAllAxes(m_Sines, transformAllAxes(m_Sines, f).cwiseQuotient(m_Eigenvalues));
-}
-
-Eigen::VectorXd
-DirichletLatticeSolver::solveHeatStep(const Eigen::VectorXd & f, double tau) const
+DirichletLatticeSolver::solveHeatStep(const Eigen::VectorXd & f, double tau, unsigned int threads) const
 {
   if (!(tau >= 0.0))
   {
     throw InvalidInput("diffusion time " + std::to_string(tau) + ", must not be negative");
   }
-  const Eigen::VectorXd spectrum = transformAllAxes(m_Sines, f);
-  return transformAllAxes(m_Sines, (spectrum.array() / (1.0 + tau * m_Eigenvalues.array())).matrix());
+  const auto symbol = m_Inverse.symbol().array(); // 1 / lambda
+  return applied(SpectralOperator(m_Inverse.transform(), (symbol / (symbol + tau)).matrix()), f, threads);
 }
 
 } // namespace moserhex

@@ -1,6 +1,7 @@
 #include "moserhex/Quality/HexQuality.h"
 
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
 
 #include <Eigen/Geometry>
 
@@ -132,16 +133,42 @@ longestOverShortestEdge(const HexCorners & corners)
   return shortest > 0.0 ? longest / shortest : std::numeric_limits<double>::max();
 }
 
-/** Value at `fraction` of the sorted values, linear between neighbours. */
-double
-percentile(const std::vector<double> & sorted, double fraction)
+/** Order statistics asked for in ascending order: each orders no more of the values than it needs. */
+class OrderStatistics
 {
-  const double position = fraction * static_cast<double>(sorted.size() - 1);
-  const auto   below = static_cast<std::size_t>(position);
-  const auto   above = std::min(below + 1, sorted.size() - 1);
-  const double weight = position - static_cast<double>(below);
-  return (1.0 - weight) * sorted[below] + weight * sorted[above];
-}
+public:
+  explicit OrderStatistics(std::vector<double> & values) : m_Values(values)
+  {}
+
+  /** Value at `fraction` of the sorted values, linear between neighbours. */
+  double
+  percentile(double fraction)
+  {
+    const double position = fraction * static_cast<double>(m_Values.size() - 1);
+    const auto   below = static_cast<std::size_t>(position);
+    const double weight = position - static_cast<double>(below);
+    const double valueBelow = at(below);
+    const double valueAbove = at(std::min(below + 1, m_Values.size() - 1));
+    return (1.0 - weight) * valueBelow + weight * valueAbove;
+  }
+
+private:
+  double
+  at(std::size_t rank)
+  {
+    if (rank >= m_Ordered)
+    {
+      const auto begin = m_Values.begin();
+      std::nth_element(
+        begin + static_cast<std::ptrdiff_t>(m_Ordered), begin + static_cast<std::ptrdiff_t>(rank), m_Values.end());
+      m_Ordered = rank + 1;
+    }
+    return m_Values[rank];
+  }
+
+  std::vector<double> & m_Values;
+  std::size_t           m_Ordered{ 0 }; ///< nothing behind is smaller than what lies before this rank
+};
 
 void
 requireLattice(const HexMesh & mesh)
@@ -229,6 +256,56 @@ varianceAboutMean(const std::vector<double> & volumes, double mean)
   }
   return sum / static_cast<double>(volumes.size());
 }
+
+template <typename TMesh>
+std::vector<HexCellQuality>
+cellQualities(const TMesh & mesh, unsigned int threads)
+{
+  std::vector<HexCellQuality> qualities(mesh.cellCount());
+  parallelForBlocks(qualities.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      qualities[cell] = hexCellQuality(cellCorners(mesh, cell));
+    }
+  });
+  return qualities;
+}
+
+/** One number of every cell. */
+template <typename TNumber>
+std::vector<double>
+collect(const std::vector<HexCellQuality> & cells, TNumber number)
+{
+  std::vector<double> values(cells.size());
+  std::transform(cells.begin(), cells.end(), values.begin(), number);
+  return values;
+}
+
+/** All that does not depend on how the cells are connected; the certificate is left out. */
+HexQualitySummary
+summaryOf(const std::vector<HexCellQuality> & cells)
+{
+  const std::vector<double> volumes = collect(cells, [](const HexCellQuality & cell) { return cell.volume; });
+  HexQualitySummary         summary;
+  summary.cells = cells.size();
+  summary.volume = sumOf(volumes);
+  const double mean = summary.volume / static_cast<double>(summary.cells);
+  summary.volumeVariance = varianceAboutMean(volumes, mean);
+  const auto extremes = std::minmax_element(volumes.begin(), volumes.end());
+  summary.ratioMin = std::min(*extremes.first / mean, *extremes.second / mean);
+  summary.ratioMax = std::max(*extremes.first / mean, *extremes.second / mean);
+  summary.concaveCells = static_cast<std::size_t>(
+    std::count_if(cells.begin(), cells.end(), [](const HexCellQuality & cell) { return cell.concave; }));
+  summary.concavePercent = 100.0 * static_cast<double>(summary.concaveCells) / static_cast<double>(summary.cells);
+
+  const auto distribution = [&cells](auto number) { return distributionOf(collect(cells, number)); };
+  summary.scaledJacobian = distribution([](const HexCellQuality & cell) { return cell.scaledJacobian; });
+  summary.minimumJacobian = distribution([mean](const HexCellQuality & cell) { return cell.minimumJacobian / mean; });
+  summary.aspectRatio = distribution([](const HexCellQuality & cell) { return cell.aspectRatio; });
+  summary.taper = distribution([](const HexCellQuality & cell) { return cell.taper; });
+  summary.skew = distribution([](const HexCellQuality & cell) { return cell.skew; });
+  return summary;
+}
 } // namespace
 
 HexCellQuality
@@ -256,58 +333,48 @@ distributionOf(std::vector<double> values)
   }
   Distribution distribution;
   distribution.mean = sumOf(values) / static_cast<double>(values.size());
-  std::sort(values.begin(), values.end());
-  distribution.minimum = values.front();
-  distribution.p01 = percentile(values, 0.01);
-  distribution.p05 = percentile(values, 0.05);
-  distribution.median = percentile(values, 0.5);
-  distribution.p95 = percentile(values, 0.95);
-  distribution.p99 = percentile(values, 0.99);
-  distribution.maximum = values.back();
+  OrderStatistics statistics(values);
+  distribution.minimum = statistics.percentile(0.0);
+  distribution.p01 = statistics.percentile(0.01);
+  distribution.p05 = statistics.percentile(0.05);
+  distribution.median = statistics.percentile(0.5);
+  distribution.p95 = statistics.percentile(0.95);
+  distribution.p99 = statistics.percentile(0.99);
+  distribution.maximum = statistics.percentile(1.0);
   return distribution;
 }
 
 HexQualitySummary
-summarizeQuality(const HexMesh & mesh)
+summarizeQuality(const HexMesh & mesh, unsigned int threads)
 {
   requireLattice(mesh);
-  const std::vector<double> volumes = cellVolumes(mesh);
-
-  HexQualitySummary summary;
-  summary.cells = volumes.size();
-  summary.volume = sumOf(volumes);
-  const double mean = summary.volume / static_cast<double>(summary.cells);
-  summary.volumeVariance = varianceAboutMean(volumes, mean);
-  const auto extremes = std::minmax_element(volumes.begin(), volumes.end());
-  summary.ratioMin = std::min(*extremes.first / mean, *extremes.second / mean);
-  summary.ratioMax = std::max(*extremes.first / mean, *extremes.second / mean);
-
-  std::vector<double>           scaledJacobian(summary.cells);
-  std::vector<double>           minimumJacobian(summary.cells);
-  std::vector<double>           aspectRatio(summary.cells);
-  std::vector<double>           taper(summary.cells);
-  std::vector<double>           skew(summary.cells);
+  const std::vector<HexCellQuality> cells = cellQualities(mesh, threads);
+  HexQualitySummary                 summary = summaryOf(cells);
+  summary.certified = certifyCells(mesh, {}, threads);
+  summary.isLattice = true;
+  const double                  mean = summary.volume / static_cast<double>(summary.cells);
   std::array<ClassCollector, 3> classes; // by the number of faces touched: up to one, two, three
   for (std::size_t cell = 0; cell < summary.cells; ++cell)
   {
-    const HexCellQuality quality = hexCellQuality(cellCorners(mesh, cell));
-    scaledJacobian[cell] = quality.scaledJacobian;
-    minimumJacobian[cell] = quality.minimumJacobian / mean;
-    aspectRatio[cell] = quality.aspectRatio;
-    taper[cell] = quality.taper;
-    skew[cell] = quality.skew;
-    summary.concaveCells += quality.concave ? 1 : 0;
-    classes[static_cast<std::size_t>(std::max(facesTouched(mesh, cell) - 1, 0))].add(quality, volumes[cell] / mean);
+    const auto number = static_cast<std::size_t>(std::max(facesTouched(mesh, cell) - 1, 0));
+    classes[number].add(cells[cell], cells[cell].volume / mean);
   }
-  summary.concavePercent = 100.0 * static_cast<double>(summary.concaveCells) / static_cast<double>(summary.cells);
-  summary.scaledJacobian = distributionOf(std::move(scaledJacobian));
-  summary.minimumJacobian = distributionOf(std::move(minimumJacobian));
-  summary.aspectRatio = distributionOf(std::move(aspectRatio));
-  summary.taper = distributionOf(std::move(taper));
-  summary.skew = distributionOf(std::move(skew));
   summary.rest = classes[0].result();
   summary.edges = classes[1].result();
   summary.corners = classes[2].result();
+  return summary;
+}
+
+HexQualitySummary
+summarizeQuality(const UnstructuredHexMesh & mesh, unsigned int threads)
+{
+  requireValid(mesh);
+  if (const auto lattice = asLattice(mesh))
+  {
+    return summarizeQuality(*lattice, threads);
+  }
+  HexQualitySummary summary = summaryOf(cellQualities(mesh, threads));
+  summary.certified = certifyCells(mesh, {}, threads);
   return summary;
 }
 

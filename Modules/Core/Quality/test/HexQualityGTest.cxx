@@ -2,6 +2,7 @@
 // scale (1e-11), counting of classes (exact). The comparison with vtkMeshQuality is in Testing/Integration.
 #include "moserhex/Quality/HexQuality.h"
 
+#include "TestHexahedra.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Random.h"
 
@@ -16,13 +17,6 @@ using namespace moserhex;
 
 namespace
 {
-HexCorners
-unitCube()
-{
-  return { Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(1, 1, 0), Vector3(0, 1, 0),
-           Vector3(0, 0, 1), Vector3(1, 0, 1), Vector3(1, 1, 1), Vector3(0, 1, 1) };
-}
-
 HexCorners
 transformed(HexCorners corners, const Matrix3 & matrix)
 {
@@ -258,4 +252,54 @@ TEST(HexQuality, CoordinateThatIsNotFiniteIsRefused)
   HexMesh mesh = regularMesh(4);
   mesh.nodes[17][1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(static_cast<void>(summarizeQuality(mesh)), InvalidInput);
+}
+
+TEST(HexQuality, CertificateCountsEveryCellOnce)
+{
+  HexMesh mesh = regularMesh(6);
+  mesh.nodes[mesh.nodeNumber(2, 2, 2)] += Vector3(0.7, 0.7, 0.7);
+  const HexQualitySummary summary = summarizeQuality(mesh);
+  EXPECT_EQ(summary.certified.positive + summary.certified.notPositive + summary.certified.undecided, 125U);
+  EXPECT_GE(summary.certified.notPositive, summary.concaveCells);
+  EXPECT_EQ(summarizeQuality(regularMesh(6)).certified.positive, 125U);
+}
+
+TEST(HexQuality, ListOfCellsGivesTheLatticesNumbersAndClasses)
+{
+  HexMesh mesh = regularMesh(5);
+  Random  random(9);
+  for (Vector3 & node : mesh.nodes)
+  {
+    node += Vector3(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
+  }
+  const HexQualitySummary lattice = summarizeQuality(mesh);
+  UnstructuredHexMesh     list = unstructured(mesh);
+  const HexQualitySummary same = summarizeQuality(list);
+  EXPECT_TRUE(same.isLattice);
+  EXPECT_EQ(same.corners.scaledJacobianMin, lattice.corners.scaledJacobianMin);
+  std::swap(list.cells[0], list.cells[17]);
+  const HexQualitySummary other = summarizeQuality(list);
+  EXPECT_FALSE(other.isLattice);
+  EXPECT_EQ(other.corners.cells + other.edges.cells + other.rest.cells, 0U);
+  EXPECT_EQ(other.concaveCells, lattice.concaveCells);
+  EXPECT_EQ(other.certified.positive, lattice.certified.positive);
+  EXPECT_EQ(other.scaledJacobian.median, lattice.scaledJacobian.median);
+  EXPECT_NEAR(other.volumeVariance, lattice.volumeVariance, 1e-12);
+}
+
+TEST(HexQuality, ThreadsChangeNoBit)
+{
+  HexMesh mesh = regularMesh(13);
+  Random  random(9);
+  for (Vector3 & node : mesh.nodes)
+  {
+    node += Vector3(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
+  }
+  EXPECT_EQ(summarizeQuality(mesh, 1).skew.mean, summarizeQuality(mesh, 2).skew.mean);
+  EXPECT_EQ(summarizeQuality(mesh, 1).volumeVariance, summarizeQuality(mesh, 2).volumeVariance);
+}
+
+TEST(HexQuality, MeshWithoutCellsIsRefused)
+{
+  EXPECT_THROW(static_cast<void>(summarizeQuality(UnstructuredHexMesh{})), InvalidInput);
 }

@@ -4,14 +4,20 @@
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/Geometry/ClosestPoint.h"
+#include "moserhex/HexMap/MassMeasure.h"
 #include "moserhex/LevelSet/CubicInterpolation.h"
 #include "moserhex/LevelSet/ShellOrdering.h"
 #include "moserhex/SphericalMap/FrameAlignment.h"
 #include "moserhex/StructuredGrid/CubeLattice.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace moserhex
 {
@@ -20,6 +26,10 @@ namespace
 
 /** Newton steps that put a point near a level set onto it. */
 constexpr int projectionIterations = 4;
+/** The same for a point that may be a few grid edges away. */
+constexpr int nearestPointIterations = 20;
+
+const double degree = std::acos(-1.0) / 180.0;
 
 /** Parts of the whole run, for progress only. */
 constexpr double afterSurfaces = 0.4;
@@ -36,6 +46,20 @@ projectionOnto(const ClosestPointSearch & search, const CubicInterpolator & phi,
     const bool    isNear = std::abs(phi.value(p) - level) <= maximumStep;
     const Vector3 start = isNear ? p : search.closest(p).point;
     return projectToLevel(phi, start, level, maximumStep, projectionIterations);
+  };
+}
+
+/** Newton from the point itself and from the nearest point of the triangles; the nearer result. Near a crease either may
+ * miss the nearest point. */
+SurfaceProjection
+nearestPointOn(const ClosestPointSearch & search, const CubicInterpolator & phi, double level)
+{
+  const double maximumStep = 0.5 * phi.grid().spacing;
+  return [&search, &phi, level, maximumStep](const Vector3 & p) {
+    const Vector3 a = projectToLevel(phi, p, level, maximumStep, nearestPointIterations);
+    const Vector3 b = projectToLevel(phi, search.closest(p).point, level, maximumStep, nearestPointIterations);
+    const bool    aIsThere = std::abs(phi.value(a) - level) < 1e-3 * phi.grid().spacing;
+    return aIsThere && (a - p).squaredNorm() < (b - p).squaredNorm() ? a : b;
   };
 }
 
@@ -107,7 +131,158 @@ private:
   Stopwatch                         m_Stopwatch;
 };
 
+bool
+isFast(const SolidMeshingOptions & options)
+{
+  return options.lastStage == MeshingStage::Exact && options.way == MeshingWay::Fast;
+}
+
+SignedDistance
+signedDistance(const CubicInterpolator & phi)
+{
+  return [&phi](const Vector3 & point, Vector3 & gradient) {
+    const ValueAndGradient at = phi.at(point);
+    gradient = at.gradient;
+    return at.value;
+  };
+}
+
+EqualisationOptions
+equalisationOptions(const SolidMeshingOptions & options)
+{
+  EqualisationOptions equalisation = options.equalisation;
+  equalisation.nodesPerSide = 2 * options.shells;
+  equalisation.threads = options.threads;
+  return equalisation;
+}
+
+/** Stage J: replaces the mesh; what is returned has none. */
+EqualisationResult
+equalise(HexMesh &                   mesh,
+         const CubicInterpolator &   phi,
+         double                      volume,
+         const SolidMeshingOptions & options,
+         const ProgressCallback &    progress)
+{
+  EqualisationResult result =
+    equaliseVolumes(mesh, signedDistance(phi), volume, equalisationOptions(options), progress);
+  mesh = std::move(result.mesh);
+  result.mesh = {};
+  return result;
+}
+
+/** Stage J under a density, from a mesh of equal volumes, on which the quadrature is chosen. */
+void
+equaliseMasses(const CubicInterpolator &   phi,
+               double                      volume,
+               const SolidMeshingOptions & options,
+               SolidMeshingResult &        result,
+               const ProgressCallback &    progress)
+{
+  const MassQuadrature rule =
+    chooseMassQuadrature(result.mesh, *options.density, options.densityAccuracy, options.threads);
+  const MassMeasure  measure(*options.density, rule.options);
+  EqualisationResult masses =
+    equaliseMeasures(result.mesh, signedDistance(phi), volume, measure, volume, equalisationOptions(options), progress);
+  result.mesh = std::move(masses.mesh);
+  masses.mesh = {};
+  result.equalisation = std::move(masses);
+  result.mass = MassReport{ measureEquality(result.mesh, measure, options.threads).variance,
+                            measure.estimateError(result.mesh, options.threads) };
+  if (result.mass->quadratureError > options.densityAccuracy)
+  {
+    std::ostringstream text;
+    text << "masses are integrated to " << result.mass->quadratureError << " of the mean mass only, wanted "
+         << options.densityAccuracy << ": the density is rougher than the cells";
+    result.warnings.push_back(text.str());
+  }
+}
+
+/** Smaller is better. */
+auto
+badness(const EqualisationResult & result)
+{
+  return std::make_tuple(!result.exact, result.concaveCells, result.uncertifiedCells, result.largestDistance);
+}
+
+const char *
+axisName(int axis)
+{
+  constexpr std::array<const char *, 3> names{ "left-right", "anterior-posterior", "inferior-superior" };
+  return names[static_cast<std::size_t>(axis)];
+}
+
+/** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Tries turns about
+ * the patient's axes, small ones first, and keeps the best mesh. */
+void
+tryOtherFrames(const std::function<HexMesh(const Matrix3 &)> & turnedStart,
+               const CubicInterpolator &                       phi,
+               double                                          volume,
+               const SolidMeshingOptions &                     options,
+               SolidMeshingResult &                            result,
+               const ProgressCallback &                        progress)
+{
+  SolidMeshingOptions inner = options;
+  inner.threads = 1;
+  for (const double angle : options.fallbackTurns)
+  {
+    if (result.equalisation->exact)
+    {
+      return;
+    }
+    constexpr std::size_t           turns = 6;
+    std::vector<HexMesh>            meshes(turns);
+    std::vector<EqualisationResult> results(turns);
+    parallelFor(turns, options.threads, [&](std::size_t turn) {
+      const double signedAngle = (turn % 2 == 0 ? angle : -angle) * degree;
+      meshes[turn] = turnedStart(
+        Eigen::AngleAxis<double>(signedAngle, Vector3::Unit(static_cast<int>(turn / 2))).toRotationMatrix());
+      results[turn] = equalise(meshes[turn], phi, volume, inner, {});
+    });
+    reportProgress(progress, 0.9);
+    for (std::size_t turn = 0; turn < turns; ++turn)
+    {
+      if (badness(results[turn]) < badness(*result.equalisation))
+      {
+        result.mesh = std::move(meshes[turn]);
+        result.equalisation = std::move(results[turn]);
+        std::ostringstream text;
+        text << "the lattice is turned by " << (turn % 2 == 0 ? angle : -angle) << " degrees about the "
+             << axisName(static_cast<int>(turn / 2)) << " axis: its own frame did not lead to an exact mesh";
+        result.turnWarning = text.str();
+      }
+    }
+  }
+}
+
+void
+requireExact(const EqualisationResult &  result,
+             const SolidMeshingOptions & options,
+             std::vector<std::string> &  warnings)
+{
+  if (result.exact)
+  {
+    return;
+  }
+  std::string text = "the exact mesh was not reached";
+  for (std::size_t line = 0; line < result.shortcomings.size(); ++line)
+  {
+    text += (line == 0 ? ": " : "; ") + result.shortcomings[line];
+  }
+  if (!options.allowPartial)
+  {
+    throw NotConverged(text, result.report);
+  }
+  warnings.push_back(text);
+}
+
 } // namespace
+
+int
+shellsToExtract(const SolidMeshingOptions & options)
+{
+  return isFast(options) ? std::min(options.fastShells, options.shells) : options.shells;
+}
 
 void
 alignShellFramesInPlace(const std::vector<TriangleMesh> & shells, std::vector<Positions> & maps)
@@ -149,7 +324,7 @@ meshSolid(const LevelSet &            ordering,
   ShellSurfaceOptions surfaceOptions = options.surfaces;
   surfaceOptions.threads = options.threads;
   const std::vector<double> fractions =
-    options.volumeFractions.empty() ? cubeVolumeFractions(options.shells) : options.volumeFractions;
+    options.volumeFractions.empty() ? cubeVolumeFractions(shellsToExtract(options)) : options.volumeFractions;
   std::vector<ShellSurface> shells = extractShellSurfaces(
     ordering, phi, volume, fractions, surfaceOptions, progressBetween(progress, 0.0, afterSurfaces));
   result.shells = summarizeShells(shells, surfaceOptions);
@@ -184,6 +359,19 @@ meshSolid(const LevelSet &            ordering,
   alignShellFramesInPlace(surfaces, maps);
   log.add("sphere maps", describe(result.sphereMaps));
 
+  // Edge placement.
+  if (options.frame == LatticeFrame::Ridge)
+  {
+    FramePlacementOptions placement = options.framePlacement;
+    placement.threads = options.threads;
+    result.frame = placeFrame(surfaces.back(), maps.back(), placement);
+    maps = placed(maps, result.frame->placement);
+    std::ostringstream note;
+    note << "turned by " << result.frame->angle << " degrees, edge score " << result.frame->before.score << " -> "
+         << result.frame->after.score;
+    log.add("frame", note.str());
+  }
+
   // F, G. Initial map: the cube shells' nodes on the organ's shells, then onto the exact level sets.
   const CubicInterpolator  orderingAt(ordering);
   const CubicInterpolator  phiAt(phi);
@@ -201,14 +389,14 @@ meshSolid(const LevelSet &            ordering,
 
   // H. Smoothing.
   const SurfaceProjection projection = projectionOnto(outerSurface, phiAt, shells.back().level);
-  if (options.lastStage != MeshingStage::Initial)
+  if (options.lastStage != MeshingStage::Initial && !isFast(options))
   {
     result.mesh = smoothLattice(result.mesh, projection, options.smoothing);
     log.add("smoothing", result.mesh);
   }
 
   // I. Volumetric Moser flow.
-  if (options.lastStage == MeshingStage::Moser)
+  if (options.lastStage >= MeshingStage::Moser && !isFast(options))
   {
     VolumetricMoserFlowResult flow =
       volumetricMoserFlow(result.mesh, projection, options.flow, progressBetween(progress, afterInitialMap, 1.0));
@@ -221,7 +409,41 @@ meshSolid(const LevelSet &            ordering,
       result.warnings.emplace_back("the volumetric flow did not improve the mesh; the mesh before it is returned");
     }
   }
-  result.boundary = boundaryDistance(result.mesh, projection);
+
+  // J. Equal volumes, no concave cell.
+  if (options.lastStage == MeshingStage::Exact)
+  {
+    const ProgressCallback toTheEnd = progressBetween(progress, afterInitialMap, 1.0);
+    result.equalisation = equalise(result.mesh, phiAt, volume, options, toTheEnd);
+    if (!result.equalisation->exact && isFast(options))
+    {
+      const auto turnedStart = [&](const Matrix3 & turn) {
+        std::vector<Positions> turned = maps;
+        for (Positions & map : turned)
+        {
+          map = rotated(map, turn);
+        }
+        InitialMapOptions inner = initialOptions;
+        inner.threads = 1;
+        return initialMap(surfaces, turned, inner);
+      };
+      tryOtherFrames(turnedStart, phiAt, volume, options, result, toTheEnd);
+    }
+    if (options.density != nullptr)
+    {
+      equaliseMasses(phiAt, volume, options, result, toTheEnd);
+    }
+    std::ostringstream note;
+    note << result.equalisation->report.steps << " steps, "
+         << (result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified");
+    log.add("exact", result.mesh, note.str());
+    if (!result.turnWarning.empty())
+    {
+      result.warnings.push_back(result.turnWarning);
+    }
+    requireExact(*result.equalisation, options, result.warnings);
+  }
+  result.boundary = boundaryDistance(result.mesh, nearestPointOn(outerSurface, phiAt, shells.back().level));
   reportProgress(progress, 1.0);
   return result;
 }

@@ -2,13 +2,18 @@
 #define itkMassPreservingHexahedralMeshFilter_h
 
 #include "itkCoreAlgorithm.h"
+#include "itkDensityConversion.h"
 #include "itkHexMeshConversion.h"
 #include "itkLabelConditioningImageFilter.h"
+#include "itkLabelVolumeConversion.h"
 #include "itkLevelSetToShellOrderingImageFilter.h"
 
+#include "moserhex/LevelSet/LabelDensity.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
 #include <itkImageToMeshFilter.h>
+
+#include <optional>
 
 namespace itk
 {
@@ -21,7 +26,8 @@ namespace itk
  *
  *   A  LabelConditioningImageFilter            label -> signed distance on an isotropic grid, genus 0
  *   B  LevelSetToShellOrderingImageFilter      Chan-Vese fronts -> nested shells
- *   C-I, K  moserhex::meshSolid                shell surfaces, sphere maps, initial map, smoothing, volumetric flow
+ *   C-K  moserhex::meshSolid                   shell surfaces, sphere maps, initial map, smoothing, volumetric flow,
+ *                                            equalisation
  *
  * Output: (2N)^3 points and (2N-1)^3 hexahedra in lattice order, LPS millimetres, double precision. Point data: lattice
  * index and shell number; cell data: shell number and volume ratio (see itkHexMeshConversion.h).
@@ -60,12 +66,39 @@ public:
   /** N, the number of shells; the lattice has 2N nodes a side. Default 10. */
   itkOptionMacro(NumberOfShells, int, shells);
 
-  /** The last stage to run: Initial, Smoothed or Moser (default). */
+  /** The last stage to run: Initial, Smoothed, Moser or Exact (default). */
   itkOptionMacro(LastStage, moserhex::MeshingStage, lastStage);
 
-  /** How the shells are found: coupled Chan-Vese fronts (default), uncoupled snapshots, or the eikonal limit. */
-  itkSetEnumMacro(ShellMethod, ShellMethod);
-  itkGetConstMacro(ShellMethod, ShellMethod);
+  /** Where the exact mesh starts from: the initial map of three shells (Fast, default), or stages A to I with all
+   * shells (Faithful). */
+  itkOptionMacro(Way, moserhex::MeshingWay, way);
+
+  /** How the cube is turned against the body: Anatomical (default) or Ridge. */
+  itkOptionMacro(Frame, moserhex::LatticeFrame, frame);
+
+  /** A positive density on the label's space: cells get equal masses instead of equal volumes. The grid may differ from
+   * the label's. Optional; only with the last stage Exact. */
+  using DensityImageType = Image<double, 3>;
+  itkSetConstObjectMacro(DensityImage, DensityImageType);
+  itkGetConstObjectMacro(DensityImage, DensityImageType);
+
+  /** Give out a mesh that is not exact, with a warning, where NotConvergedError would be thrown. Default false. */
+  itkOptionMacro(AllowPartial, bool, allowPartial);
+
+  /** How the shells are found: coupled Chan-Vese fronts, uncoupled snapshots, or the eikonal limit. Until it is set,
+   * the eikonal limit for the fast way, whose few shells only start the optimisation, and Chan-Vese for all else. */
+  void
+  SetShellMethod(ShellMethod method)
+  {
+    m_ShellMethod = method;
+    this->Modified();
+  }
+  ShellMethod
+  GetShellMethod() const
+  {
+    return m_ShellMethod.value_or(moserhex::shellsToExtract(m_Options) < m_Options.shells ? ShellMethod::Eikonal
+                                                                                          : ShellMethod::ChanVese);
+  }
 
   /** All options of stages C to I. */
   void
@@ -130,8 +163,10 @@ private:
   double
   RunStage(TFilter * filter, double from, double to);
 
+  typename DensityImageType::ConstPointer m_DensityImage;
+
   LabelType                     m_Label{ 1 };
-  ShellMethod                   m_ShellMethod{ ShellMethod::ChanVese };
+  std::optional<ShellMethod>    m_ShellMethod;
   moserhex::SolidMeshingOptions m_Options;
   moserhex::SolidMeshingResult  m_Result;
   moserhex::ConditioningReport  m_ConditioningReport;

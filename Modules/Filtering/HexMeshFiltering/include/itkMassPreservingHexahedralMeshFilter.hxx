@@ -8,6 +8,8 @@
 
 #include <itkEventObject.h>
 
+#include <optional>
+
 namespace itk
 {
 
@@ -19,6 +21,10 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::VerifyPreconditions() IT
   if (m_Options.shells < 2 || m_Options.shells > 64)
   {
     itkExceptionMacro("NumberOfShells is " << m_Options.shells << ", need 2 to 64");
+  }
+  if (m_DensityImage && m_Options.lastStage != moserhex::MeshingStage::Exact)
+  {
+    itkExceptionMacro("DensityImage is set, but the last stage is not Exact");
   }
 }
 
@@ -70,8 +76,8 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
 
   typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
   ordering->SetInput(conditioning->GetOutput());
-  ordering->SetMethod(m_ShellMethod);
-  ordering->SetNumberOfShells(m_Options.shells);
+  ordering->SetMethod(this->GetShellMethod());
+  ordering->SetNumberOfShells(moserhex::shellsToExtract(m_Options));
   const double orderingSeconds = this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
 
   moserhex::SolidMeshingOptions options = m_Options;
@@ -82,7 +88,20 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   m_Result = RunCoreAlgorithm(
     this,
     [&](const moserhex::ProgressCallback & progress) {
-      return moserhex::meshSolid(order, phi, m_LabelVolume, options, progress);
+      std::optional<moserhex::LabelDensity> onLabel;
+      if (m_DensityImage)
+      {
+        onLabel = moserhex::densityOnLabel(ScalarVolumeFromImage(m_DensityImage.GetPointer()),
+                                           LabelVolumeFromImage(label.GetPointer(), m_Label),
+                                           options.threads);
+        options.density = &onLabel->density;
+      }
+      moserhex::SolidMeshingResult result = moserhex::meshSolid(order, phi, m_LabelVolume, options, progress);
+      if (onLabel)
+      {
+        result.warnings.insert(result.warnings.begin(), onLabel->warnings.begin(), onLabel->warnings.end());
+      }
+      return result;
     },
     afterOrdering,
     1.0);

@@ -1,12 +1,11 @@
 #ifndef itkLabelVolumeConversion_h
 #define itkLabelVolumeConversion_h
 
-#include "moserhex/Common/Errors.h"
+#include "itkVoxelGridConversion.h"
+
 #include "moserhex/LevelSet/LabelVolume.h"
 
 #include <itkNumericTraits.h>
-
-#include <Eigen/SVD>
 
 #include <set>
 #include <sstream>
@@ -41,42 +40,15 @@ DescribeLabels(const TImage * image)
   return count == 0 ? "none" : text.str();
 }
 
-/** One label of the buffered region as a mask. A direction that is orthonormal within 1e-3, as text headers with few
- * digits give, is replaced by the nearest orthonormal matrix.
+/** One label of the buffered region as a mask, placed by VoxelGridFromImage().
  * \throws moserhex::InvalidInput  no voxel has the label (lists those present), or the image axes are sheared */
 template <typename TImage>
 moserhex::LabelVolume
 LabelVolumeFromImage(const TImage * image, const typename TImage::PixelType & label)
 {
-  static_assert(TImage::ImageDimension == 3, "labelmaps are three-dimensional");
-  const auto            region = image->GetBufferedRegion();
-  const auto            direction = image->GetDirection();
-  moserhex::LabelVolume volume;
-
-  typename TImage::PointType origin;
-  image->TransformIndexToPhysicalPoint(region.GetIndex(), origin);
-  moserhex::Matrix3 axes;
-  for (unsigned int a = 0; a < 3; ++a)
-  {
-    volume.size[a] = static_cast<int>(region.GetSize(a));
-    volume.spacing[static_cast<int>(a)] = image->GetSpacing()[a];
-    volume.origin[static_cast<int>(a)] = origin[a];
-    for (unsigned int b = 0; b < 3; ++b)
-    {
-      axes(static_cast<int>(a), static_cast<int>(b)) = direction[a][b];
-    }
-  }
-  const Eigen::JacobiSVD<moserhex::Matrix3> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double error = (svd.singularValues() - moserhex::Vector3::Ones()).cwiseAbs().maxCoeff();
-  if (!(error <= 1e-3))
-  {
-    throw moserhex::InvalidInput("image direction is not orthonormal (error " + std::to_string(error) +
-                                 ", allowed 0.001): resample the image on perpendicular axes");
-  }
-  volume.direction = svd.matrixU() * svd.matrixV().transpose();
-
-  const auto * first = image->GetBufferPointer();
-  volume.inside.resize(region.GetNumberOfPixels());
+  moserhex::LabelVolume volume{ VoxelGridFromImage(image), {} };
+  const auto *          first = image->GetBufferPointer();
+  volume.inside.resize(volume.gridVoxels());
   bool any = false;
   for (std::size_t voxel = 0; voxel < volume.inside.size(); ++voxel)
   {

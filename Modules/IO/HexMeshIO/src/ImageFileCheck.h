@@ -6,7 +6,7 @@
 namespace moserhex
 {
 
-/** The labelmap formats, by extension. */
+/** The image formats, by extension. */
 enum class ImageFormat
 {
   Nrrd,
@@ -14,7 +14,7 @@ enum class ImageFormat
   Meta
 };
 
-/** Checks a labelmap file before ITK's reader sees it.
+/** Checks an image file before ITK's reader sees it.
  *
  * ITK 5.2 aborts, hangs or overruns memory on some headers and fills cut NIfTI and MetaImage files with zeros, so:
  * a regular file of its format; every header token of sane length; exactly three dimensions (further ones of size 1

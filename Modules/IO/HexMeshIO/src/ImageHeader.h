@@ -8,14 +8,14 @@
 namespace moserhex
 {
 
-// What the checks of the three labelmap formats share.
+// What the checks of the three image formats share.
 
 /** Deflate compresses at most 1032-fold, so a header that promises more than that lies. */
 constexpr std::uint64_t deflateLimit = 1032;
 
 /** Remedies that several refusals share. */
 constexpr const char * copyAgain = "copy or export the file again";
-constexpr const char * exportScalarVolume = "export the labelmap again as one 3-D scalar volume";
+constexpr const char * exportScalarVolume = "export the image again as one 3-D scalar volume";
 
 [[nodiscard]] std::string
 trimmed(const std::string & text);

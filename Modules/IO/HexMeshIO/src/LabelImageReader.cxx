@@ -1,15 +1,9 @@
 #include "moserhex/HexMeshIO/LabelImageReader.h"
 
-#include "FileNames.h"
-#include "ImageFileCheck.h"
+#include "ImageFile.h"
+#include "ImageGrid.h"
 
-#include <itkImageRegionConstIterator.h>
 #include <itkMetaDataObject.h>
-#include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
-#include <itkNrrdImageIO.h>
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -25,144 +19,6 @@ namespace
 {
 
 constexpr std::size_t mostLabels = 4096;
-constexpr std::size_t mostVoxels = 500'000'000;
-
-ImageFormat
-formatOf(const std::string & fileName)
-{
-  if (endsWith(fileName, ".nrrd"))
-  {
-    return ImageFormat::Nrrd;
-  }
-  if (endsWithAny(fileName, { ".nii", ".nii.gz" }))
-  {
-    return ImageFormat::Nifti;
-  }
-  if (endsWithAny(fileName, { ".mha", ".mhd" }))
-  {
-    return ImageFormat::Meta;
-  }
-  throw BadInput(fileName, "not a labelmap's name", "give a .nrrd, .nii, .nii.gz, .mha or .mhd file");
-}
-
-/** The one reader for a format: no factory, so no other parser ever sees the file. */
-itk::ImageIOBase::Pointer
-makeReader(ImageFormat format)
-{
-  switch (format)
-  {
-    case ImageFormat::Nrrd:
-      return itk::NrrdImageIO::New().GetPointer();
-    case ImageFormat::Nifti:
-      return itk::NiftiImageIO::New().GetPointer();
-    case ImageFormat::Meta:
-      return itk::MetaImageIO::New().GetPointer();
-  }
-  return nullptr;
-}
-
-void
-requireScalarVolume(const std::string & fileName, const itk::ImageIOBase & reader)
-{
-  for (unsigned int axis = 3; axis < reader.GetNumberOfDimensions(); ++axis)
-  {
-    if (reader.GetDimensions(axis) != 1)
-    {
-      throw BadInput(fileName,
-                     "a " + std::to_string(reader.GetNumberOfDimensions()) + "-D image, need a 3-D labelmap",
-                     "export one 3-D volume");
-    }
-  }
-  if (reader.GetNumberOfDimensions() < 3)
-  {
-    throw BadInput(fileName, "a 2-D image, need a 3-D labelmap", "export one 3-D volume");
-  }
-  if (reader.GetNumberOfComponents() != 1)
-  {
-    throw BadInput(fileName,
-                   std::to_string(reader.GetNumberOfComponents()) + " values per voxel, need a scalar labelmap",
-                   "export integer labels, one per voxel");
-  }
-  if (static_cast<std::size_t>(reader.GetImageSizeInPixels()) > mostVoxels)
-  {
-    throw BadInput(fileName,
-                   std::to_string(reader.GetImageSizeInPixels()) + " voxels, at most " + std::to_string(mostVoxels),
-                   "crop the image around the label");
-  }
-}
-
-/** The nearest orthonormal matrix; headers carry seven digits at best. */
-Matrix3
-orthonormalDirection(const std::string & fileName, const Matrix3 & direction)
-{
-  if (!direction.allFinite())
-  {
-    throw BadInput(fileName, "the direction matrix is not finite", "correct the header");
-  }
-  const Eigen::JacobiSVD<Matrix3> svd(direction, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double                    deviation = (svd.singularValues().array() - 1.0).abs().maxCoeff();
-  if (!(deviation <= 1e-3))
-  {
-    throw BadInput(fileName,
-                   "the image axes are not at right angles (direction matrix off by " + std::to_string(deviation) + ")",
-                   "resample the image to a rectangular grid");
-  }
-  return svd.matrixU() * svd.matrixV().transpose();
-}
-
-/** Twelve significant digits: the length of a direction vector comes back as 0.49999999999999994 for 0.5. */
-double
-withoutRoundOff(double spacing)
-{
-  const double scale = std::pow(10.0, 12.0 - std::ceil(std::log10(spacing)));
-  return std::round(spacing * scale) / scale;
-}
-
-/** An image of the file's size and place, its voxels not yet set. */
-LabelImageType::Pointer
-makeImage(const std::string & fileName, const itk::ImageIOBase & reader)
-{
-  LabelImageType::SizeType      size;
-  LabelImageType::SpacingType   spacing;
-  LabelImageType::PointType     origin;
-  LabelImageType::DirectionType direction;
-  Matrix3                       axes;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    size[axis] = reader.GetDimensions(axis);
-    spacing[axis] = reader.GetSpacing(axis);
-    origin[axis] = reader.GetOrigin(axis);
-    if (!(spacing[axis] >= 1e-3 && spacing[axis] <= 1e3))
-    {
-      throw BadInput(fileName,
-                     "voxel size " + std::to_string(spacing[axis]) + " mm along axis " + std::to_string(axis + 1) +
-                       ", need 0.001 to 1000",
-                     "correct the header's spacing");
-    }
-    spacing[axis] = withoutRoundOff(spacing[axis]);
-    if (!(std::abs(origin[axis]) <= 1e6))
-    {
-      throw BadInput(fileName, "the origin is not finite or above 1e6 mm", "correct the header's origin");
-    }
-    const std::vector<double> column = reader.GetDirection(axis);
-    axes.col(axis) = Vector3(column[0], column[1], column[2]);
-  }
-  axes = orthonormalDirection(fileName, axes);
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      direction(row, column) = axes(row, column);
-    }
-  }
-  auto image = LabelImageType::New();
-  image->SetRegions(size);
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
-  image->Allocate();
-  return image;
-}
 
 /** The value as a label, or nothing when it is not a whole number or out of range. */
 template <typename TVoxel>
@@ -202,15 +58,13 @@ textOf(TVoxel value)
   return text.str();
 }
 
+/** Sets the labels of an image from the voxels of a file. */
 template <typename TVoxel>
 void
-readVoxelsAs(const std::string & fileName, itk::ImageIOBase & reader, LabelImageType & image)
+copyLabels(const std::string & fileName, const std::vector<TVoxel> & voxels, LabelImageType & image)
 {
-  const std::size_t   count = image.GetLargestPossibleRegion().GetNumberOfPixels();
-  std::vector<TVoxel> voxels(count);
-  reader.Read(voxels.data());
   LabelValue * labels = image.GetBufferPointer();
-  for (std::size_t voxel = 0; voxel < count; ++voxel)
+  for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
   {
     const std::optional<LabelValue> label = asLabel(voxels[voxel]);
     if (!label)
@@ -221,41 +75,6 @@ readVoxelsAs(const std::string & fileName, itk::ImageIOBase & reader, LabelImage
                      "save integer labels, not probabilities or intensities");
     }
     labels[voxel] = *label;
-  }
-}
-
-void
-readVoxels(const std::string & fileName, itk::ImageIOBase & reader, LabelImageType & image)
-{
-  using Component = itk::ImageIOBase;
-  switch (reader.GetComponentType())
-  {
-    case Component::IOComponentEnum::UCHAR:
-      return readVoxelsAs<unsigned char>(fileName, reader, image);
-    case Component::IOComponentEnum::CHAR:
-      return readVoxelsAs<signed char>(fileName, reader, image);
-    case Component::IOComponentEnum::USHORT:
-      return readVoxelsAs<unsigned short>(fileName, reader, image);
-    case Component::IOComponentEnum::SHORT:
-      return readVoxelsAs<short>(fileName, reader, image);
-    case Component::IOComponentEnum::UINT:
-      return readVoxelsAs<unsigned int>(fileName, reader, image);
-    case Component::IOComponentEnum::INT:
-      return readVoxelsAs<int>(fileName, reader, image);
-    case Component::IOComponentEnum::ULONG:
-      return readVoxelsAs<unsigned long>(fileName, reader, image);
-    case Component::IOComponentEnum::LONG:
-      return readVoxelsAs<long>(fileName, reader, image);
-    case Component::IOComponentEnum::ULONGLONG:
-      return readVoxelsAs<unsigned long long>(fileName, reader, image);
-    case Component::IOComponentEnum::LONGLONG:
-      return readVoxelsAs<long long>(fileName, reader, image);
-    case Component::IOComponentEnum::FLOAT:
-      return readVoxelsAs<float>(fileName, reader, image);
-    case Component::IOComponentEnum::DOUBLE:
-      return readVoxelsAs<double>(fileName, reader, image);
-    default:
-      throw BadInput(fileName, "an unknown voxel type", "export integer labels, one per voxel");
   }
 }
 
@@ -319,70 +138,25 @@ addSegmentNames(const itk::MetaDataDictionary & dictionary, std::vector<LabelEnt
   }
 }
 
-std::string
-firstLine(std::string text)
-{
-  // ITK puts its file, line and class before the message.
-  const auto colon = text.rfind("): ");
-  if (colon != std::string::npos)
-  {
-    text = text.substr(colon + 3);
-  }
-  return text.substr(0, text.find('\n'));
-}
-
-LabelImage
-readChecked(const std::string & fileName)
-{
-  const ImageFormat format = formatOf(fileName);
-  LabelImage        result;
-  result.fileName = fileName;
-  result.warnings = checkImageFile(fileName, format);
-
-  const itk::ImageIOBase::Pointer reader = makeReader(format);
-  reader->SetFileName(fileName);
-  reader->ReadImageInformation();
-  requireScalarVolume(fileName, *reader);
-  result.image = makeImage(fileName, *reader);
-  itk::ImageIORegion region(reader->GetNumberOfDimensions());
-  for (unsigned int axis = 0; axis < reader->GetNumberOfDimensions(); ++axis)
-  {
-    region.SetSize(axis, reader->GetDimensions(axis));
-  }
-  reader->SetIORegion(region);
-  readVoxels(fileName, *reader, *result.image);
-  result.labels = countLabels(fileName, *result.image);
-  addSegmentNames(reader->GetMetaDataDictionary(), result.labels);
-  return result;
-}
-
 } // namespace
 
 bool
 isLabelImageName(const std::string & fileName)
 {
-  return endsWithAny(fileName, { ".nrrd", ".nii", ".nii.gz", ".mha", ".mhd" });
+  return isImageFileName(fileName);
 }
 
 LabelImage
 readLabelImage(const std::string & fileName)
 {
-  try
-  {
-    return readChecked(fileName);
-  }
-  catch (const Error &)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc &)
-  {
-    throw BadInput(fileName, "not enough memory for the image", "crop the image around the label");
-  }
-  catch (const std::exception & error)
-  {
-    throw BadInput(fileName, firstLine(error.what()), "export the labelmap again, for example as .nrrd");
-  }
+  return withImageErrors(fileName, [&fileName] {
+    const ImageFile file = openImageFile(fileName);
+    LabelImage      result{ fileName, imageOnGrid<LabelImageType>(file.grid), {}, file.warnings };
+    withVoxels(file, [&](const auto & voxels) { copyLabels(fileName, voxels, *result.image); });
+    result.labels = countLabels(fileName, *result.image);
+    addSegmentNames(file.reader->GetMetaDataDictionary(), result.labels);
+    return result;
+  });
 }
 
 const LabelEntry &
@@ -415,21 +189,10 @@ chooseLabel(const LabelImage & image, const std::optional<LabelValue> & wanted)
 LabelVolume
 labelVolumeOf(const LabelImageType & image, LabelValue label)
 {
-  LabelVolume volume;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    volume.size[axis] = static_cast<int>(image.GetLargestPossibleRegion().GetSize(axis));
-    volume.spacing[axis] = image.GetSpacing()[axis];
-    volume.origin[axis] = image.GetOrigin()[axis];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      volume.direction(row, axis) = image.GetDirection()(row, axis);
-    }
-  }
-  const std::size_t  count = image.GetLargestPossibleRegion().GetNumberOfPixels();
+  LabelVolume        volume{ voxelGridOf(image), {} };
   const LabelValue * voxels = image.GetBufferPointer();
-  volume.inside.resize(count);
-  std::transform(voxels, voxels + count, volume.inside.begin(), [label](LabelValue value) {
+  volume.inside.resize(volume.gridVoxels());
+  std::transform(voxels, voxels + volume.inside.size(), volume.inside.begin(), [label](LabelValue value) {
     return static_cast<std::uint8_t>(value == label ? 1 : 0);
   });
   return volume;
@@ -438,26 +201,7 @@ labelVolumeOf(const LabelImageType & image, LabelValue label)
 LabelImageType::Pointer
 labelImageOf(const LabelVolume & volume)
 {
-  LabelImageType::SizeType      size;
-  LabelImageType::SpacingType   spacing;
-  LabelImageType::PointType     origin;
-  LabelImageType::DirectionType direction;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    size[axis] = static_cast<itk::SizeValueType>(volume.size[axis]);
-    spacing[axis] = volume.spacing[axis];
-    origin[axis] = volume.origin[axis];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      direction(row, axis) = volume.direction(row, axis);
-    }
-  }
-  auto image = LabelImageType::New();
-  image->SetRegions(size);
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
-  image->Allocate();
+  const auto image = imageOnGrid<LabelImageType>(volume);
   std::copy(volume.inside.begin(), volume.inside.end(), image->GetBufferPointer());
   return image;
 }

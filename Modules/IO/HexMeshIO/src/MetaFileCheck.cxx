@@ -124,12 +124,12 @@ checkMetaFile(const std::string & file)
   if (header.get("NDims") != "3")
   {
     throw BadInput(
-      file, "NDims is '" + header.get("NDims").substr(0, 20) + "', need a 3-D labelmap", exportScalarVolume);
+      file, "NDims is '" + header.get("NDims").substr(0, 20) + "', need a 3-D image", exportScalarVolume);
   }
   const std::string channels = header.get("ElementNumberOfChannels");
   if (!channels.empty() && channels != "1")
   {
-    throw BadInput(file, channels.substr(0, 10) + " values per voxel, need a scalar labelmap", exportScalarVolume);
+    throw BadInput(file, channels.substr(0, 10) + " values per voxel, need a scalar image", exportScalarVolume);
   }
   for (const char * key : { "ElementSpacing",
                             "ElementSize",

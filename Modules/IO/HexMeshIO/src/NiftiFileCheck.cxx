@@ -28,7 +28,7 @@ public:
     m_Swap = integer<std::int32_t>(0) != 348;
     if (integer<std::int32_t>(0) != 348 || std::memcmp(m_Bytes.data() + 344, "n+1", 4) != 0)
     {
-      throw BadInput(file, "the content is not NIfTI-1 in one file", "export the labelmap as .nii.gz or .nrrd");
+      throw BadInput(file, "the content is not NIfTI-1 in one file", "export the image as .nii.gz or .nrrd");
     }
   }
 
@@ -86,7 +86,7 @@ niftiPromisedBytes(const std::string & file, const NiftiHeader & header)
     {
       throw BadInput(file,
                      "a " + std::to_string(dimensions) + "-D image (axis " + std::to_string(axis) + " has size " +
-                       std::to_string(count) + "), need a 3-D labelmap",
+                       std::to_string(count) + "), need a 3-D image",
                      exportScalarVolume);
     }
   }
@@ -100,7 +100,7 @@ niftiPromisedBytes(const std::string & file, const NiftiHeader & header)
   {
     throw BadInput(file,
                    "data type " + std::to_string(type) + " with " + std::to_string(bits) +
-                     " bits per voxel is not a scalar labelmap",
+                     " bits per voxel is not a scalar image",
                    exportScalarVolume);
   }
   return promisedBytes(file, sizes, static_cast<std::uint64_t>(bits) / 8);

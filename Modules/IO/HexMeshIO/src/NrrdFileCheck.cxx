@@ -130,7 +130,7 @@ checkNrrdFile(const std::string & file)
   if (fields["dimension"] != "3")
   {
     throw BadInput(file,
-                   "dimension " + fields["dimension"].substr(0, 20) + ", need a 3-D labelmap",
+                   "dimension " + fields["dimension"].substr(0, 20) + ", need a 3-D image",
                    "export one segment, or segments that do not overlap");
   }
   if (fields.count("data file") + fields.count("datafile") > 0)

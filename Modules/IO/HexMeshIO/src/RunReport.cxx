@@ -64,7 +64,10 @@ toJson(const RunReport & report)
   json["input"] = inputJson(report.input);
   json["parameters"] = { { "shells", report.parameters.shells },
                          { "stage", report.parameters.stage },
-                         { "shell_method", report.parameters.shellMethod } };
+                         { "shell_method", report.parameters.shellMethod },
+                         { "way", report.parameters.way },
+                         { "frame", report.parameters.frame },
+                         { "density", report.parameters.density } };
   json["stages"] = Json::array();
   for (const StageRecord & stage : report.stages)
   {
@@ -77,6 +80,18 @@ toJson(const RunReport & report)
   if (report.surface)
   {
     json["surface"] = { { "rms_mm", report.surface->rms }, { "max_mm", report.surface->maximum } };
+  }
+  if (report.exact)
+  {
+    json["exact"] = { { "reached", report.exact->reached },
+                      { "certified", report.exact->certified },
+                      { "uncertified_cells", report.exact->uncertifiedCells },
+                      { "variance", report.exact->variance },
+                      { "shortcomings", report.exact->shortcomings } };
+    if (!report.parameters.density.empty())
+    {
+      json["exact"]["mass_quadrature_error"] = report.exact->massQuadratureError;
+    }
   }
   json["warnings"] = Json(report.warnings);
   json["versions"] = { { "moserhex", report.versions.moserhex },

@@ -3,9 +3,11 @@
 #include "FileNames.h"
 #include "ImageFileCheck.h"
 #include "ImageHeader.h"
+#include "LegacyVtkCheck.h"
 #include "OffReader.h"
 #include "PlyReader.h"
 #include "VtkMessages.h"
+#include "VtkSpace.h"
 #include "moserhex/Geometry/TriangleTopology.h"
 
 #include <vtkCellArray.h>
@@ -16,15 +18,12 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSTLReader.h>
-#include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <numeric>
 
 namespace moserhex
@@ -37,19 +36,6 @@ struct FileSurface
   TriangleMesh mesh;
   bool         isRas{ false };
 };
-
-bool
-saysRas(const char * header)
-{
-  return header && std::string(header).find("SPACE=RAS") != std::string::npos;
-}
-
-bool
-fieldSaysRas(vtkPolyData & data)
-{
-  const auto * space = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("SPACE"));
-  return space && space->GetNumberOfValues() > 0 && const_cast<vtkStringArray *>(space)->GetValue(0) == "RAS";
-}
 
 TriangleMesh
 trianglesOf(const std::string & fileName, vtkPolyData & data)
@@ -105,35 +91,9 @@ readWith(const std::string & fileName)
   }
   else
   {
-    surface.isRas = fieldSaysRas(*reader->GetOutput());
+    surface.isRas = saysRas(reader->GetOutput()->GetFieldData());
   }
   return surface;
-}
-
-/** VTK's legacy reader trusts the counts of POINTS, POLYGONS and the like, and reads beyond its memory when they lie.
- * Every number takes two bytes at least. */
-void
-requireHonestCounts(const std::string & fileName)
-{
-  std::ifstream     file(fileName, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  for (const char * keyword : { "POINTS ", "VERTICES ", "LINES ", "POLYGONS ", "TRIANGLE_STRIPS " })
-  {
-    const std::size_t found = bytes.find(std::string("\n") + keyword);
-    if (found == std::string::npos)
-    {
-      continue;
-    }
-    const std::string line = bytes.substr(found + 1, std::min<std::size_t>(bytes.find('\n', found + 1) - found, 200));
-    const auto        words = wordsOf(line);
-    for (std::size_t word = 1; word < words.size() && std::isdigit(static_cast<unsigned char>(words[word][0])); ++word)
-    {
-      if (words[word].size() > 12 || std::stoull(words[word]) > bytes.size() / 2)
-      {
-        throw BadInput(fileName, "the header promises more than the file holds: " + line.substr(0, 60), copyAgain);
-      }
-    }
-  }
 }
 
 /** A binary STL file has 84 + 50 n bytes; VTK's reader takes what is there. */
@@ -317,12 +277,7 @@ readSurface(const std::string & fileName)
   TriangleMesh mesh = withMergedVertices(file.mesh);
   if (file.isRas)
   {
-    // A half turn about the third axis: orientation stays.
-    for (Vector3 & vertex : mesh.vertices)
-    {
-      vertex.x() = -vertex.x();
-      vertex.y() = -vertex.y();
-    }
+    turnRasIntoLps(mesh.vertices);
   }
   requireSaneNumbers(fileName, mesh);
   requireClosed(fileName, mesh);

@@ -23,7 +23,7 @@ someReport()
   report.input.spacing = Vector3(0.1, 1.0 / 3.0, 3.0);
   report.input.voxels = 68000;
   report.input.volume = 51000.1;
-  report.parameters = { 10, "moser", "chan-vese" };
+  report.parameters = { 10, "moser", "chan-vese", "", "anatomical", "" };
   report.stages = { { "conditioning", 0.5, {} }, { "moser", 0.25, StageQuality{ 1e-3, 0.1, -0.05, 0.7 } } };
   report.mesh = { "mesh.vtu", 8000, 6859, 51000.2 };
   report.surface = RunReport::Surface{ 0.1, 0.4 };

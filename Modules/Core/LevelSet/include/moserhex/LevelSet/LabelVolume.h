@@ -1,6 +1,6 @@
 #pragma once
 
-#include "moserhex/Common/Types.h"
+#include "moserhex/LevelSet/VoxelGrid.h"
 
 #include <array>
 #include <cstddef>
@@ -11,37 +11,10 @@
 namespace moserhex
 {
 
-/** One label of an image as a binary mask on its own voxels.
- *
- * Voxel (i,j,k) has the number i + size[0] (j + size[1] k) and its centre at
- *   origin + direction * (spacing * (i,j,k))      componentwise product                                 [mm, LPS] */
-struct LabelVolume
+/** One label of an image as a binary mask on its own voxels. */
+struct LabelVolume : VoxelGrid
 {
-  std::array<int, 3>        size{ { 0, 0, 0 } };
-  Vector3                   spacing{ Vector3::Ones() };       ///< voxel sides, may differ [mm]
-  Vector3                   origin{ Vector3::Zero() };        ///< centre of voxel (0,0,0) [mm]
-  Matrix3                   direction{ Matrix3::Identity() }; ///< image axes: orthonormal columns, either handedness
-  std::vector<std::uint8_t> inside;                           ///< 1 in the label, 0 elsewhere
-
-  [[nodiscard]] std::size_t
-  voxelNumber(int i, int j, int k) const
-  {
-    const auto nx = static_cast<std::size_t>(size[0]);
-    const auto ny = static_cast<std::size_t>(size[1]);
-    return static_cast<std::size_t>(i) + nx * (static_cast<std::size_t>(j) + ny * static_cast<std::size_t>(k));
-  }
-
-  [[nodiscard]] double
-  voxelVolume() const
-  {
-    return spacing.prod();
-  }
-
-  [[nodiscard]] Vector3
-  point(int i, int j, int k) const
-  {
-    return origin + direction * spacing.cwiseProduct(Vector3(i, j, k));
-  }
+  std::vector<std::uint8_t> inside; ///< 1 in the label, 0 elsewhere; in the order of the voxel numbers
 };
 
 /** Number of voxels in the label. */

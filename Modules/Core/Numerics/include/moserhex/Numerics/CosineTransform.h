@@ -1,5 +1,7 @@
 #pragma once
 
+#include "moserhex/Numerics/CubeTransform.h"
+
 #include <Eigen/Core>
 
 namespace moserhex
@@ -17,55 +19,49 @@ cosineMatrix(int n);
 [[nodiscard]] Eigen::MatrixXd
 sineMatrix(int n);
 
-/** Applies an n x n matrix along all three axes of a field of n^3 values, entry (i,j,k) at i + n (j + n k):
- * out(a,b,c) = sum M(a,i) M(b,j) M(c,k) in(i,j,k). O(n^4), meant for n <= 64. */
-[[nodiscard]] Eigen::VectorXd
-transformAllAxes(const Eigen::MatrixXd & matrix, const Eigen::VectorXd & field);
-
 /** Solves L theta = f on m^3 unit cells, L = d2 *2^-1 d2^T the Laplacian of 3-forms with zero flux through the
  * boundary:
  *
  *   (L theta)(cell) = sum over its face neighbours of (theta(cell) - theta(neighbour))      positive semidefinite
  *
- * exactly (to round-off) by cosine transforms. Built once, used for every right-hand side. */
+ * exactly (to round-off) by cosine transforms. Built once, used for every right-hand side, by any number of threads at
+ * once. */
 class NeumannPoissonSolver
 {
 public:
   /** \throws InvalidInput  cellsPerSide < 1 */
   explicit NeumannPoissonSolver(int cellsPerSide);
 
-  /** The solution of mean zero. The mean of f, for which no solution exists, is removed first.
+  /** The solution of mean zero. The mean of f, for which no solution exists, is removed first. \param threads  0: all.
    * \throws InvalidInput  f does not have m^3 entries */
   [[nodiscard]] Eigen::VectorXd
-  solve(const Eigen::VectorXd & f) const;
+  solve(const Eigen::VectorXd & f, unsigned int threads = 1) const;
 
 private:
-  Eigen::MatrixXd m_Cosines;
-  Eigen::MatrixXd m_CosinesTransposed;
-  Eigen::VectorXd m_InverseEigenvalues; // 0 for the constant
+  SpectralOperator m_Inverse;
 };
 
 /** Solves (1 + tau L) u = f or L u = f on m^3 interior nodes with zero values on the surrounding nodes,
  *
  *   (L u)(node) = 6 u(node) - sum over its six neighbours of u(neighbour)                     positive definite
  *
- * exactly by sine transforms. */
+ * exactly by sine transforms. Built once, used for every right-hand side, by any number of threads at once. */
 class DirichletLatticeSolver
 {
 public:
   /** \throws InvalidInput  nodesPerSide < 1 */
   explicit DirichletLatticeSolver(int nodesPerSide);
 
+  /** \throws InvalidInput  f does not have m^3 entries */
   [[nodiscard]] Eigen::VectorXd
-  solvePoisson(const Eigen::VectorXd & f) const;
+  solvePoisson(const Eigen::VectorXd & f, unsigned int threads = 1) const;
 
-  /** \throws InvalidInput  tau < 0 */
+  /** \throws InvalidInput  f does not have m^3 entries, or tau < 0 */
   [[nodiscard]] Eigen::VectorXd
-  solveHeatStep(const Eigen::VectorXd & f, double tau) const;
+  solveHeatStep(const Eigen::VectorXd & f, double tau, unsigned int threads = 1) const;
 
 private:
-  Eigen::MatrixXd m_Sines;
-  Eigen::VectorXd m_Eigenvalues;
+  SpectralOperator m_Inverse; // of L
 };
 
 } // namespace moserhex

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/Geometry/UnstructuredHexMesh.h"
+#include "moserhex/Quality/JacobianBounds.h"
 
 #include <cstddef>
 #include <vector>
@@ -58,26 +60,34 @@ struct HexClassQuality
 
 struct HexQualitySummary
 {
-  std::size_t     cells{ 0 };
-  double          volume{ 0.0 };         ///< sum of the cell volumes [mm^3]
-  double          volumeVariance{ 0.0 }; ///< population variance of volume / mean volume [1]
-  double          ratioMin{ 0.0 };       ///< smallest volume / mean [1]
-  double          ratioMax{ 0.0 };
-  std::size_t     concaveCells{ 0 };
-  double          concavePercent{ 0.0 };
-  Distribution    scaledJacobian;
-  Distribution    minimumJacobian; ///< of volume-normalised cells: minimum Jacobian / mean volume [1]
-  Distribution    aspectRatio;
-  Distribution    taper;
-  Distribution    skew;
-  HexClassQuality corners; ///< the 8 cells at the cube's corners
-  HexClassQuality edges;   ///< the 12 (n-3) cells along its edges
-  HexClassQuality rest;
+  std::size_t       cells{ 0 };
+  double            volume{ 0.0 };         ///< sum of the cell volumes [mm^3]
+  double            volumeVariance{ 0.0 }; ///< population variance of volume / mean volume [1]
+  double            ratioMin{ 0.0 };       ///< smallest volume / mean [1]
+  double            ratioMax{ 0.0 };
+  std::size_t       concaveCells{ 0 };
+  double            concavePercent{ 0.0 };
+  CertificateCounts certified; ///< cells by the sign of det J in the whole cell; notPositive + undecided >= concave
+  Distribution      scaledJacobian;
+  Distribution      minimumJacobian; ///< of volume-normalised cells: minimum Jacobian / mean volume [1]
+  Distribution      aspectRatio;
+  Distribution      taper;
+  Distribution      skew;
+  bool              isLattice{ false }; ///< the three classes below are filled in
+  HexClassQuality   corners;            ///< the 8 cells at the cube's corners
+  HexClassQuality   edges;              ///< the 12 (n-3) cells along its edges
+  HexClassQuality   rest;
 };
 
-/** \throws InvalidInput  the number of nodes is not n^3, or a coordinate is not finite (names the node) */
+/** Results do not depend on the number of threads (as in parallelFor; 0: all of the machine's).
+ * \throws InvalidInput  the number of nodes is not n^3, or a coordinate is not finite (names the node) */
 [[nodiscard]] HexQualitySummary
-summarizeQuality(const HexMesh & mesh);
+summarizeQuality(const HexMesh & mesh, unsigned int threads = 1);
+
+/** Any hexahedral mesh. One that is a lattice (asLattice) gets the classes, too.
+ * \throws InvalidInput  as requireValid(mesh) */
+[[nodiscard]] HexQualitySummary
+summarizeQuality(const UnstructuredHexMesh & mesh, unsigned int threads = 1);
 
 /** The two numbers the flow watches, cheaper than the whole summary. */
 struct VolumeQuality

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "moserhex/Common/StepReport.h"
+#include "moserhex/HexMap/FramePlacement.h"
 #include "moserhex/HexMap/InitialMap.h"
 #include "moserhex/HexMap/LatticeSmoothing.h"
+#include "moserhex/HexMap/VolumeEqualisation.h"
 #include "moserhex/HexMap/VolumetricMoserFlow.h"
+#include "moserhex/LevelSet/Density.h"
 #include "moserhex/LevelSet/ShellSurfaces.h"
 #include "moserhex/Quality/HexQuality.h"
 #include "moserhex/SphericalMap/AreaPreservingMap.h"
@@ -20,23 +23,59 @@ enum class MeshingStage
 {
   Initial,  ///< after stage G: shells remeshed with the cube's nodes
   Smoothed, ///< after stage H: smoothed
-  Moser     ///< after stage I: the volume-preserving flow
+  Moser,    ///< after stage I: the volume-preserving flow
+  Exact     ///< after stage J: equalised
+};
+
+/** Where stage J starts from. */
+enum class MeshingWay
+{
+  Fast,    ///< the initial map of few shells, refined while it is equalised; stages H and I are left out
+  Faithful ///< stages A to I with all shells, then equalised
+};
+
+/** How the cube is turned against the body. */
+enum class LatticeFrame
+{
+  Anatomical, ///< i, j, k along the patient's axes as well as the sphere map allows
+  Ridge       ///< turned a little so that the cube's edges leave hollows and follow ridges
 };
 
 struct SolidMeshingOptions
 {
   int                 shells{ 10 }; ///< N; the lattice has 2N nodes a side
-  MeshingStage        lastStage{ MeshingStage::Moser };
-  std::vector<double> volumeFractions; ///< of the shells; empty: the cube's own, ((2k-1)/(2N-1))^3
+  MeshingStage        lastStage{ MeshingStage::Exact };
+  MeshingWay          way{ MeshingWay::Fast }; ///< matters only when the last stage is Exact
+  int                 fastShells{ 3 };         ///< shells of the fast way, at most N of them are used
+  std::vector<double> volumeFractions;         ///< of the shells; empty: the cube's own, ((2k-1)/(2N-1))^3
 
-  ShellSurfaceOptions        surfaces;   ///< stage C; its thread count is replaced by `threads`
-  AreaPreservingMapOptions   sphereMap;  ///< stages D, E
-  CubeShellMapOptions        cubeShells; ///< stage F
-  LatticeSmoothingOptions    smoothing;  ///< stage H
-  VolumetricMoserFlowOptions flow;       ///< stage I
+  LatticeFrame          frame{ LatticeFrame::Anatomical };
+  FramePlacementOptions framePlacement; ///< for LatticeFrame::Ridge; its thread count is replaced
+  /** Turns about the patient's axes, both ways, that the fast way tries when the frame does not lead to an exact mesh
+   * [degree]. */
+  std::vector<double> fallbackTurns{ 15.0, 30.0 };
+
+  ShellSurfaceOptions        surfaces;     ///< stage C; its thread count is replaced by `threads`
+  AreaPreservingMapOptions   sphereMap;    ///< stages D, E
+  CubeShellMapOptions        cubeShells;   ///< stage F
+  LatticeSmoothingOptions    smoothing;    ///< stage H
+  VolumetricMoserFlowOptions flow;         ///< stage I
+  EqualisationOptions        equalisation; ///< stage J; its size and thread count are replaced
+
+  /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
+   * null: volumes. Only with the last stage Exact. */
+  const Density * density{ nullptr };
+  double          densityAccuracy{ 1e-4 }; ///< of a cell's mass against the mean mass [1]
+
+  /** Return a mesh that is not exact, with a warning, where NotConverged would be thrown. */
+  bool allowPartial{ false };
 
   unsigned int threads{ 0 }; ///< 0: all of the machine's; the result does not depend on it
 };
+
+/** Shells that are cut out and mapped: N, or those of the fast way. */
+[[nodiscard]] int
+shellsToExtract(const SolidMeshingOptions & options);
 
 /** What a stage did and, from stage G on, the quality of the mesh after it. */
 struct MeshingStageReport
@@ -56,6 +95,13 @@ struct BoundaryDistance
   double maximumOfNodes{ 0.0 }; ///< nodes alone [mm]
 };
 
+/** How equal the masses are that stage J made under a density. */
+struct MassReport
+{
+  double variance{ 0.0 };        ///< population variance of mass / mean mass [1]
+  double quadratureError{ 0.0 }; ///< estimated, of the worst cell's mass against the mean mass [1]
+};
+
 struct SolidMeshingResult
 {
   HexMesh                              mesh;       ///< of the last stage
@@ -63,10 +109,14 @@ struct SolidMeshingResult
   ShellSurfacesSummary                 shells;     ///< stage C
   std::vector<AreaPreservingMapResult> sphereMaps; ///< entry k-1 for shell k; positions are emptied
   BoundaryDistance                     boundary;
+  std::optional<FramePlacementResult>  frame;        ///< of LatticeFrame::Ridge
+  std::string                          turnWarning;  ///< which of the fallback turns was used; empty: none
+  std::optional<MassReport>            mass;         ///< with a density
+  std::optional<EqualisationResult>    equalisation; ///< stage J; its mesh is emptied
   std::vector<std::string>             warnings;
 };
 
-/** Stages C to I and K: from a solid and its ordering by volume to a structured hexahedral mesh.
+/** Stages C to K: from a solid and its ordering by volume to a structured hexahedral mesh.
  *
  * Shell surfaces (C) and their area-preserving sphere maps (D, E) are made in parallel over the shells. All maps are in
  * the body's frame; then shell k is turned to match shell k+1 (closest points), so that shells do not twist against
@@ -76,9 +126,9 @@ struct SolidMeshingResult
  * \param ordering  s of shellOrdering: 0 at the seed, 1 on the surface                              [1]
  * \param phi       conditioned solid, negative inside, same grid                                    [mm]
  * \param volume    the label's volume                                                               [mm^3]
- * \throws InvalidInput, NotConverged  as extractShellSurfaces, areaPreservingSphereMap, initialMap, volumetricMoserFlow
- * \throws Cancelled     by the callback
- * \note Deterministic for any number of threads. */
+ * \throws InvalidInput, NotConverged  as extractShellSurfaces, areaPreservingSphereMap, initialMap,
+ * volumetricMoserFlow, equaliseVolumes \throws NotConverged  stage J did not reach what it promises; says which part
+ * and by how much \throws Cancelled     by the callback \note Deterministic for any number of threads. */
 [[nodiscard]] SolidMeshingResult
 meshSolid(const LevelSet &            ordering,
           const LevelSet &            phi,

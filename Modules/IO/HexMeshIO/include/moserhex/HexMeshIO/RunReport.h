@@ -47,6 +47,19 @@ struct RunReport
     int         shells{ 0 };
     std::string stage;
     std::string shellMethod;
+    std::string way;     ///< fast | faithful; empty when the stage is not exact
+    std::string frame;   ///< anatomical | ridge
+    std::string density; ///< file; empty: volumes
+  };
+  /** What stage J promises, and whether it was reached. */
+  struct Exact
+  {
+    bool                     reached{ false };
+    bool                     certified{ false }; ///< det J > 0 in every whole cell
+    std::size_t              uncertifiedCells{ 0 };
+    double                   variance{ 0.0 };            ///< mean (measure / target - 1)^2 [1]
+    double                   massQuadratureError{ 0.0 }; ///< with a density: estimated, of the worst cell's mass [1]
+    std::vector<std::string> shortcomings;               ///< empty when reached
   };
   struct Mesh
   {
@@ -74,6 +87,7 @@ struct RunReport
   std::vector<StageRecord> stages;
   Mesh                     mesh;
   std::optional<Surface>   surface;
+  std::optional<Exact>     exact;
   std::vector<std::string> warnings;
   Versions                 versions; ///< itk, vtk and eigen are filled in by libraryVersions()
   unsigned int             threads{ 0 };

@@ -1,0 +1,179 @@
+#include "QualityCommand.h"
+
+#include "Console.h"
+#include "MeshCommand.h"
+#include "SameFile.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
+#include "moserhex/HexMeshIO/HexCellReader.h"
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+#include "moserhex/HexMeshIO/QualityReport.h"
+
+#include <cstdio>
+
+namespace moserhex::app
+{
+namespace
+{
+
+void
+requireUsableOptions(const QualityCommandOptions & options)
+{
+  if (options.label && options.labelImage.empty())
+  {
+    throw UsageError("--label without --label-image; say which image has the label");
+  }
+  for (const std::string & input : { options.mesh, options.labelImage })
+  {
+    if (sameFile(input, options.jsonFile))
+    {
+      throw UsageError(fileMessage(input, "would be overwritten", "give another name for the JSON file"));
+    }
+  }
+  if (!options.jsonFile.empty())
+  {
+    const AtomicFile probe(options.jsonFile);
+  }
+}
+
+QualityReport::Label
+compare(const HexCellFile & file, const QualityCommandOptions & options, std::vector<std::string> & warnings)
+{
+  const LabelImage   image = readLabelImage(options.labelImage);
+  const LabelEntry & entry = chooseLabel(image, options.label);
+  warnings.insert(warnings.end(), image.warnings.begin(), image.warnings.end());
+  try
+  {
+    const LabelVolume voxels = labelVolumeOf(*image.image, entry.value);
+    return { options.labelImage, entry.value, compareWithLabel(file.mesh, voxels, options.threads) };
+  }
+  catch (const InvalidInput & error)
+  {
+    throw BadInput(options.mesh, error.what(), "give the mesh and the labelmap it was made from");
+  }
+}
+
+QualityReport
+measure(const QualityCommandOptions & options)
+{
+  const HexCellFile file = readHexCells(options.mesh);
+  QualityReport     report;
+  report.file = options.mesh;
+  report.nodes = file.mesh.nodes.size();
+  report.warnings = file.warnings;
+  report.quality = summarizeQuality(file.mesh, options.threads);
+  if (report.quality.volume < 0.0)
+  {
+    report.warnings.push_back("the mesh's volume is negative: the cells' nodes are in left-handed order");
+  }
+  if (!options.labelImage.empty())
+  {
+    report.label = compare(file, options, report.warnings);
+  }
+  return report;
+}
+
+void
+printClass(const char * name, const HexClassQuality & quality)
+{
+  if (quality.cells > 0)
+  {
+    std::printf("%-16s %9zu %12.3g %10.2f %8.3f %10.3f\n",
+                name,
+                quality.cells,
+                quality.volumeVariance,
+                100.0 * static_cast<double>(quality.concaveCells) / static_cast<double>(quality.cells),
+                quality.scaledJacobianMin,
+                quality.scaledJacobianMedian);
+  }
+}
+
+void
+printClasses(const HexQualitySummary & quality)
+{
+  std::printf("%-16s %9s %12s %10s %8s %10s\n", "cells", "number", "vol. var.", "concave %", "SJ min", "SJ median");
+  if (quality.isLattice)
+  {
+    printClass("corner", quality.corners);
+    printClass("edge", quality.edges);
+    printClass("rest", quality.rest);
+  }
+  printClass("all",
+             { quality.cells,
+               quality.concaveCells,
+               quality.volumeVariance,
+               quality.scaledJacobian.minimum,
+               quality.scaledJacobian.median });
+}
+
+void
+printDistribution(const char * name, const Distribution & distribution)
+{
+  std::printf("%-24s %9.4g %9.4g %9.4g %9.4g %9.4g\n",
+              name,
+              distribution.minimum,
+              distribution.p01,
+              distribution.median,
+              distribution.p99,
+              distribution.maximum);
+}
+
+void
+printReport(const QualityReport & report)
+{
+  const HexQualitySummary & quality = report.quality;
+  printClasses(quality);
+  std::printf("\n%-24s %9s %9s %9s %9s %9s\n", "", "min", "p01", "median", "p99", "max");
+  printDistribution("scaled Jacobian", quality.scaledJacobian);
+  printDistribution("min det J / mean volume", quality.minimumJacobian);
+  printDistribution("aspect ratio", quality.aspectRatio);
+  printDistribution("taper", quality.taper);
+  printDistribution("skew", quality.skew);
+  if (report.label)
+  {
+    printDistribution("nodes to label (mm)", report.label->agreement.boundaryNodes);
+    printDistribution("faces to label (mm)", report.label->agreement.faceCentres);
+  }
+
+  std::printf("\ndet J > 0 in the whole cell: %zu certified, %zu are not, %zu undecided\n",
+              quality.certified.positive,
+              quality.certified.notPositive,
+              quality.certified.undecided);
+  std::printf("mesh: %zu nodes, %zu cells%s, %.3f mL, volume ratio %.4g to %.4g\n",
+              report.nodes,
+              quality.cells,
+              quality.isLattice ? " (lattice)" : "",
+              quality.volume / 1000.0,
+              quality.ratioMin,
+              quality.ratioMax);
+  if (report.label)
+  {
+    std::printf("label %lld: %.3f mL, volume error %.3g, Dice %.4f\n",
+                static_cast<long long>(report.label->value),
+                report.label->agreement.labelVolume / 1000.0,
+                report.label->agreement.volumeError,
+                report.label->agreement.dice);
+  }
+}
+
+} // namespace
+
+void
+runQualityCommand(const QualityCommandOptions & options)
+{
+  requireUsableOptions(options);
+  const QualityReport report = measure(options);
+  if (!options.jsonFile.empty())
+  {
+    writeQualityReport(options.jsonFile, report);
+  }
+  for (const std::string & warning : report.warnings)
+  {
+    printWarning(warning);
+  }
+  if (!options.quiet)
+  {
+    printReport(report);
+  }
+}
+
+} // namespace moserhex::app

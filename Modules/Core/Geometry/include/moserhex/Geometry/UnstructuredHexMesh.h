@@ -1,0 +1,58 @@
+#pragma once
+
+#include "moserhex/Geometry/HexMesh.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace moserhex
+{
+
+/** Hexahedral mesh of any connectivity, as other tools make them. */
+struct UnstructuredHexMesh
+{
+  Positions                               nodes; ///< [mm]
+  std::vector<std::array<std::size_t, 8>> cells; ///< node numbers from 0, VTK_HEXAHEDRON order
+
+  [[nodiscard]] std::size_t
+  cellCount() const
+  {
+    return cells.size();
+  }
+
+  [[nodiscard]] const std::array<std::size_t, 8> &
+  cellNodes(std::size_t cell) const
+  {
+    return cells[cell];
+  }
+};
+
+/** \throws InvalidInput  no cell, a cell names a node that does not exist or one node twice (names the cell), or a
+ *                        coordinate is not finite (names the node) */
+void
+requireValid(const UnstructuredHexMesh & mesh);
+
+/** The same mesh with its connectivity written out. */
+[[nodiscard]] UnstructuredHexMesh
+unstructured(const HexMesh & mesh);
+
+/** The lattice, when the mesh is one: n^3 nodes and (n-1)^3 cells, numbered and connected as in HexMesh. */
+[[nodiscard]] std::optional<HexMesh>
+asLattice(const UnstructuredHexMesh & mesh);
+
+[[nodiscard]] HexCorners
+cellCorners(const UnstructuredHexMesh & mesh, std::size_t cell);
+
+[[nodiscard]] std::vector<double>
+cellVolumes(const UnstructuredHexMesh & mesh);
+
+/** A face of exactly one cell: node numbers counter-clockwise seen from outside. */
+using Quadrilateral = std::array<std::size_t, 4>;
+
+/** Faces that belong to one cell only, in order of cell and face. O(cells log cells). */
+[[nodiscard]] std::vector<Quadrilateral>
+boundaryFaces(const UnstructuredHexMesh & mesh);
+
+} // namespace moserhex

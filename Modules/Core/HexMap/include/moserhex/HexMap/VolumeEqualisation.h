@@ -1,0 +1,113 @@
+#pragma once
+
+#include "moserhex/Common/StepReport.h"
+#include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/HexMap/CellMeasure.h"
+#include "moserhex/HexMap/EqualMeasureProjection.h"
+#include "moserhex/HexMap/SignedDistance.h"
+
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+/** One minimisation of the lattice's energy on one lattice. */
+struct EqualisationStage
+{
+  double regularisation{ 0.1 }; ///< epsilon: inverted corners cost a finite amount, the less the larger it is [1]
+  double volumeWeight{ 50.0 };  ///< w_v, of (volume / target - 1)^2 [1]
+  double surfaceWeight{ 80.0 }; ///< w_s, of the squared distance to the surface [1]
+  int    maximumSteps{ 60 };    ///< of L-BFGS [1]
+  int    power{ 1 };            ///< p, of the mean ratio: larger values lift the worst cells [1]
+};
+
+struct EqualisationOptions
+{
+  int nodesPerSide{ 0 }; ///< n of the mesh wanted; 0: that of the mesh given
+
+  std::vector<EqualisationStage> coarseStages{ { 0.1, 20.0, 80.0, 60 }, { 0.05, 50.0, 80.0, 60 } };
+  std::vector<EqualisationStage> finestStages{ { 0.05, 50.0, 80.0, 30 }, { 0.02, 50.0, 80.0, 30 } };
+  /** For a mesh that has the size wanted. When they do not make it exact it is taken back to a coarse lattice. */
+  std::vector<EqualisationStage> directStages{ { 0.05, 20.0, 80.0, 60 }, { 0.02, 50.0, 80.0, 60 } };
+
+  int    repairRounds{ 10 }; ///< of pushing uncertified cells open and projecting again
+  double repairMargin{
+    0.03
+  }; ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1
+  double surfaceTolerance{ 0.5 }; ///< a boundary farther than this from the surface is reported as failed [mm]
+  /** A surface farther than this from the boundary is reported as failed, but never when nearer than surfaceTolerance:
+   * bumps smaller than a cell are cut off. In edges of a mean cell [1]. */
+  double coverageTolerance{ 1.0 };
+
+  EqualMeasureOptions projection; ///< its thread count is replaced by `threads`
+  unsigned int        threads{ 0 };
+};
+
+/** What one piece of the work did. */
+struct EqualisationStep
+{
+  std::string name;              ///< "minimise", "project", "repair"
+  int         nodesPerSide{ 0 }; ///< n of the lattice
+  int         iterations{ 0 };   ///< L-BFGS steps or Newton steps
+  int         evaluations{ 0 };  ///< of the energy, or conjugate-gradient steps
+  double      variance{ 0.0 };   ///< of the measure after it [1]
+  std::size_t uncertified{ 0 };  ///< cells with a Bezier coefficient <= 0 after it
+  double      distance{ 0.0 };   ///< largest of boundary nodes and quad centres to the surface after it [mm]
+  double      uncovered{ 0.0 };  ///< largest distance of the surface to the mesh's boundary after it [mm]
+  double      seconds{ 0.0 };
+};
+
+struct EqualisationResult
+{
+  HexMesh                       mesh;
+  double                        level{ 0.0 };             ///< of phi, on which the boundary nodes were held [mm]
+  double                        variance{ 0.0 };          ///< mean (measure / target - 1)^2 [1]
+  std::size_t                   concaveCells{ 0 };        ///< with det J <= 0 at a corner
+  std::size_t                   uncertifiedCells{ 0 };    ///< not certified positive in the whole cell
+  double                        largestDistance{ 0.0 };   ///< of boundary nodes and quad centres to phi = 0 [mm]
+  double                        uncoveredDistance{ 0.0 }; ///< of points of phi = 0 to the mesh's boundary [mm]
+  bool                          exact{ false }; ///< measures equal, every cell certified, boundary within tolerance
+  std::vector<std::string>      shortcomings;   ///< what of that was not reached, and by how much; empty when exact
+  std::vector<EqualisationStep> steps;
+  StepReport                    report; ///< converged = exact, residual = variance
+};
+
+/** Every cell the same volume (or mass), none concave, the boundary on the organ's surface (stage J).
+ *
+ * 1. Untangles, smooths and equalises together: L-BFGS on
+ *      E(x) = sum over cells of [ 1/8 sum over corners of f^p + w_v/2 (v / v* - 1)^2 ] + w_s/2 sum of (s(x) - c)^2
+ *    f the regularised mean ratio, s the signed distance of boundary nodes and quad centres in cell edges, which slide
+ *    freely; the inverse of the lattice Laplacian by cosine transforms stands in for the inverse Hessian. From the
+ *    lattice given through ever finer ones, prolonged by cubics. Points of the surface that the boundary has drained
+ *    from pull it back.
+ * 2. Newton projection onto equal measures by the smoothest displacement (EqualMeasureProjection.h).
+ * 3. Certifies det J > 0 in every cell by its Bezier coefficients, pushes the doubtful ones open, and projects again.
+ *
+ * \param start    any lattice of the same solid, tangled or not; n >= 2, at most the n wanted
+ * \param phi      the organ's surface is {phi = 0} [mm]
+ * \param volume   of the label, > 0 [mm^3]
+ * \param measure  what is equalised; for VolumeMeasure the total is `volume`
+ * \param total    sum of the measure over the organ; every cell gets total / (n-1)^3, > 0 [unit of the measure]
+ * \throws InvalidInput  no n^3 finite nodes; a volume, total or option out of range
+ * \throws Cancelled     by the callback
+ * \note Never throws for a mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is
+ * returned as it is. Deterministic for any number of threads. */
+[[nodiscard]] EqualisationResult
+equaliseMeasures(const HexMesh &             start,
+                 const SignedDistance &      phi,
+                 double                      volume,
+                 const CellMeasure &         measure,
+                 double                      total,
+                 const EqualisationOptions & options = {},
+                 const ProgressCallback &    progress = {});
+
+/** The same for volumes. */
+[[nodiscard]] EqualisationResult
+equaliseVolumes(const HexMesh &             start,
+                const SignedDistance &      phi,
+                double                      volume,
+                const EqualisationOptions & options = {},
+                const ProgressCallback &    progress = {});
+
+} // namespace moserhex

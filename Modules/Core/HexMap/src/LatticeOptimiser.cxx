@@ -1,0 +1,120 @@
+#include "LatticeOptimiser.h"
+
+#include "BezierBarrier.h"
+#include "ShapeEnergy.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace moserhex
+{
+namespace
+{
+/** Nearest points are looked for again after so many steps while the surface may drain. */
+constexpr int stepsBetweenAssociations = 20;
+
+/** Added to the lattice Laplacian, whose constants it leaves at zero [1]. */
+constexpr double laplacianShift = 0.3;
+
+SpectralOperator
+inverseLaplacian(int nodesPerSide)
+{
+  return functionOfLaplacian(
+    nodesPerSide, CubeTransform::Basis::Cosine, [](double eigenvalue) { return 1.0 / (eigenvalue + laplacianShift); });
+}
+} // namespace
+
+LatticeOptimiser::LatticeOptimiser(int            nodesPerSide,
+                                   SignedDistance phi,
+                                   Positions      surfacePoints,
+                                   double         volume,
+                                   unsigned int   threads)
+  : m_Layout(nodesPerSide)
+  , m_Attraction(m_Layout, std::move(phi), threads)
+  , m_Coverage(m_Layout, std::move(surfacePoints), threads)
+  , m_InverseLaplacian(inverseLaplacian(nodesPerSide))
+  , m_Volume(volume)
+  , m_Threads(threads)
+  , m_TargetVolumes(unitTargetVolumes(m_Layout))
+{
+  const auto cells = static_cast<double>(nodesPerSide - 1);
+  m_TargetVolumes *= volume / (cells * cells * cells);
+}
+
+void
+LatticeOptimiser::setTargetVolumes(const std::vector<double> & volumes)
+{
+  for (std::size_t cell = 0; cell < volumes.size(); ++cell)
+  {
+    m_TargetVolumes[static_cast<Eigen::Index>(m_Layout.firstNode(cell))] = volumes[cell];
+  }
+}
+
+void
+LatticeOptimiser::updateLevel(const Eigen::VectorXd & x)
+{
+  const double enclosed = latticeVolumes(m_Layout, x, m_Threads).sum();
+  m_Attraction.setLevel(m_Attraction.levelOfVolume(x, m_Volume, enclosed));
+}
+
+void
+LatticeOptimiser::setBarrier(std::vector<std::size_t> firstNodes, double margin, double weight)
+{
+  m_BarrierCells = std::move(firstNodes);
+  m_BarrierMargin = margin;
+  m_BarrierWeight = weight;
+}
+
+double
+LatticeOptimiser::energy(const Eigen::VectorXd & x, const EqualisationStage & stage, Eigen::VectorXd & gradient) const
+{
+  gradient.setZero(m_Layout.size());
+  const ShapeEnergyWeights weights{ stage.regularisation, stage.volumeWeight, stage.power };
+  double                   value = addShapeEnergy(m_Layout, x, m_TargetVolumes, weights, m_Threads, gradient);
+  value += m_Attraction.addEnergy(x, stage.surfaceWeight, gradient);
+  value += m_Coverage.addEnergy(x, stage.surfaceWeight, gradient);
+  if (m_BarrierWeight > 0.0)
+  {
+    value += addBezierBarrier(m_Layout, x, m_BarrierCells, m_BarrierMargin, m_BarrierWeight, gradient);
+  }
+  return value;
+}
+
+LimitedMemoryBfgsResult
+LatticeOptimiser::minimise(Eigen::VectorXd &         x,
+                           const EqualisationStage & stage,
+                           double                    smallestDecrease,
+                           const ProgressCallback &  progress)
+{
+  const auto function = [&](const Eigen::VectorXd & at, Eigen::VectorXd & gradient) {
+    return energy(at, stage, gradient);
+  };
+  const auto precondition = [this](Eigen::VectorXd & v) {
+    m_InverseLaplacian.applyToColumnsInPlace(Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>(
+                                               v.data(),
+                                               static_cast<Eigen::Index>(m_Layout.nodes),
+                                               3,
+                                               Eigen::OuterStride<>(static_cast<Eigen::Index>(m_Layout.stride))),
+                                             m_Threads);
+  };
+  LimitedMemoryBfgsOptions options;
+  options.smallestDecrease = smallestDecrease;
+  LimitedMemoryBfgsResult total;
+  while (total.report.steps < stage.maximumSteps && !total.report.converged)
+  {
+    m_Coverage.associate(x);
+    const int left = stage.maximumSteps - total.report.steps;
+    options.maximumSteps = m_Coverage.isInDoubt() ? std::min(left, stepsBetweenAssociations) : left;
+    const LimitedMemoryBfgsResult part = minimiseByLimitedMemoryBfgs(function, x, precondition, options, progress);
+    total.value = part.value;
+    total.gradientNorm = part.gradientNorm;
+    total.evaluations += part.evaluations;
+    total.report.steps += part.report.steps;
+    total.report.seconds += part.report.seconds;
+    total.report.residual = part.report.residual;
+    total.report.converged = part.report.converged || part.report.steps == 0;
+  }
+  return total;
+}
+
+} // namespace moserhex

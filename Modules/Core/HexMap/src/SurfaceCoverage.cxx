@@ -1,0 +1,164 @@
+#include "SurfaceCoverage.h"
+
+#include "moserhex/Common/Parallel.h"
+#include "moserhex/Geometry/ClosestPoint.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace moserhex
+{
+namespace
+{
+/** d, in cell edges. */
+constexpr double freeDistance = 0.5;
+/** Points farther away than this part of d keep a spring, slack for now. */
+constexpr double watchedPartOfFreeDistance = 0.5;
+
+constexpr std::size_t pointsPerBlock = 64;
+
+constexpr double wantedSurfacePoints = 2000.0;
+constexpr int    newtonSteps = 4;
+
+} // namespace
+
+SurfaceCoverage::SurfaceCoverage(const LatticeLayout & layout, Positions surfacePoints, unsigned int threads)
+  : m_Layout(layout), m_SurfacePoints(std::move(surfacePoints)), m_Threads(threads), m_Quads(boundaryQuads(layout))
+{}
+
+void
+SurfaceCoverage::associate(const Eigen::VectorXd & x)
+{
+  TriangleMesh boundary;
+  for (const auto & quad : m_Quads)
+  {
+    const auto first = static_cast<VertexIndex>(boundary.vertices.size());
+    Vector3    centre = Vector3::Zero();
+    for (const std::size_t node : quad)
+    {
+      boundary.vertices.push_back(m_Layout.at(x, node));
+      centre += 0.25 * boundary.vertices.back();
+    }
+    boundary.vertices.push_back(centre);
+    for (VertexIndex side = 0; side < 4; ++side)
+    {
+      boundary.triangles.push_back({ first + side, first + (side + 1) % 4, first + 4 });
+    }
+  }
+  const ClosestPointSearch           search(boundary);
+  std::vector<ClosestPointOnSurface> nearest(m_SurfacePoints.size());
+  parallelForBlocks(nearest.size(), pointsPerBlock, m_Threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      nearest[p] = search.closest(m_SurfacePoints[p]);
+    }
+  });
+  m_Springs.clear();
+  m_Distances.resize(nearest.size());
+  for (std::size_t p = 0; p < nearest.size(); ++p)
+  {
+    m_Distances[p] = std::sqrt(nearest[p].squaredDistance);
+    if (m_Distances[p] > watchedPartOfFreeDistance * freeDistance)
+    {
+      const auto      triangle = static_cast<std::size_t>(nearest[p].triangle);
+      const Vector3 & weights = nearest[p].barycentric;
+      m_Springs.push_back({ p, triangle / 4, triangle % 4, { weights[0], weights[1], weights[2] } });
+    }
+  }
+}
+
+double
+SurfaceCoverage::largestDistance() const
+{
+  return m_Distances.empty() ? 0.0 : *std::max_element(m_Distances.begin(), m_Distances.end());
+}
+
+bool
+SurfaceCoverage::isInDoubt() const
+{
+  return !m_Springs.empty();
+}
+
+Vector3
+SurfaceCoverage::boundaryPoint(const Eigen::VectorXd & x, const Spring & spring) const
+{
+  const auto & quad = m_Quads[spring.quad];
+  Vector3      point = Vector3::Zero();
+  for (const std::size_t node : quad)
+  {
+    point += 0.25 * spring.weights[2] * m_Layout.at(x, node);
+  }
+  point += spring.weights[0] * m_Layout.at(x, quad[spring.side]);
+  return point + spring.weights[1] * m_Layout.at(x, quad[(spring.side + 1) % 4]);
+}
+
+double
+SurfaceCoverage::addEnergy(const Eigen::VectorXd & x, double weight, Eigen::VectorXd & gradient) const
+{
+  double energy = 0.0;
+  for (const Spring & spring : m_Springs)
+  {
+    const Vector3 away = boundaryPoint(x, spring) - m_SurfacePoints[spring.surfacePoint];
+    const double  distance = away.norm();
+    const double  excess = distance - freeDistance;
+    if (excess <= 0.0)
+    {
+      continue;
+    }
+    energy += 0.5 * weight * excess * excess;
+    const Vector3 pull = weight * excess / distance * away;
+    const auto &  quad = m_Quads[spring.quad];
+    for (const std::size_t node : quad)
+    {
+      m_Layout.add(gradient, node, 0.25 * spring.weights[2] * pull);
+    }
+    m_Layout.add(gradient, quad[spring.side], spring.weights[0] * pull);
+    m_Layout.add(gradient, quad[(spring.side + 1) % 4], spring.weights[1] * pull);
+  }
+  return energy;
+}
+
+Positions
+surfacePointsOf(const HexMesh & lattice, const SignedDistance & phi)
+{
+  const LatticeLayout layout(lattice.nodesPerSide);
+  const auto          quads = boundaryQuads(layout);
+  const int perSide = std::max(1, static_cast<int>(std::sqrt(wantedSurfacePoints / static_cast<double>(quads.size()))));
+  Positions points;
+  for (const auto & quad : quads)
+  {
+    const Vector3 & a = lattice.nodes[quad[0]];
+    const Vector3 & b = lattice.nodes[quad[1]];
+    const Vector3 & c = lattice.nodes[quad[2]];
+    const Vector3 & d = lattice.nodes[quad[3]];
+    const double    longestStep = 0.25 * ((c - a).norm() + (d - b).norm());
+    for (int v = 0; v < perSide; ++v)
+    {
+      for (int u = 0; u < perSide; ++u)
+      {
+        const double s = (u + 0.5) / perSide;
+        const double t = (v + 0.5) / perSide;
+        Vector3      p = (1 - s) * (1 - t) * a + s * (1 - t) * b + s * t * c + (1 - s) * t * d;
+        for (int step = 0; step < newtonSteps; ++step)
+        {
+          Vector3      gradient;
+          const double value = phi(p, gradient);
+          const double slope = std::max(gradient.norm(), 1e-3);
+          const double length = std::min(std::max(value / slope, -longestStep), longestStep);
+          p -= length / slope * gradient;
+        }
+        Vector3 gradient;
+        if (std::abs(phi(p, gradient)) < 0.1 * longestStep)
+        {
+          points.push_back(p);
+        }
+      }
+    }
+  }
+  return points;
+}
+
+} // namespace moserhex

@@ -1,0 +1,117 @@
+// Distances with a closed form: round-off (1e-12). Taylor remainder: slope fitted, within 0.1 of 2. Threads: bit for
+// bit.
+#include "SurfaceCoverage.h"
+
+#include "TestEnergies.h"
+#include "TestSolids.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace moserhex;
+using namespace moserhex::testing;
+
+namespace
+{
+using Eigen::VectorXd;
+
+const BentEllipsoid organ{ Vector3(4.0, 2.0, 2.5), 0.05 };
+
+/** The organ's lattice, shrunk: the surface lies beyond the tips. */
+HexMesh
+drained(int shells, double scale)
+{
+  HexMesh mesh = organ.lattice(shells);
+  for (Vector3 & node : mesh.nodes)
+  {
+    node *= scale;
+  }
+  return mesh;
+}
+
+LatticeEnergy
+energyOf(const SurfaceCoverage & coverage, double weight)
+{
+  return
+    [&coverage, weight](const VectorXd & x, VectorXd & gradient) { return coverage.addEnergy(x, weight, gradient); };
+}
+} // namespace
+
+TEST(SurfaceCoverage, DistanceIsThatOfTheFarthestPointToTheBoundary)
+{
+  // The cube [0,3]^3: beyond a face, an edge and a corner.
+  const VectorXd x = vectorOf(unitCells(4, 0.0, 1));
+  const auto     distance = [&x](const Positions & points) {
+    SurfaceCoverage coverage(LatticeLayout(4), points, 1);
+    coverage.associate(x);
+    return coverage.largestDistance();
+  };
+  EXPECT_NEAR(distance({ Vector3(1.2, 1.7, 3.7) }), 0.7, 1e-12);
+  EXPECT_NEAR(distance({ Vector3(3.3, -0.4, 1.1) }), 0.5, 1e-12);
+  EXPECT_NEAR(distance({ Vector3(-1.0, -2.0, 5.0) }), 3.0, 1e-12);
+  EXPECT_NEAR(distance({ Vector3(1.5, 1.5, 1.5), Vector3(0.1, 1.5, 1.5) }), 1.5, 1e-12); // from inside, too
+  EXPECT_NEAR(distance({ Vector3(0.0, 1.2, 1.7), Vector3(3.0, 3.0, 3.0) }), 0.0, 1e-12);
+  EXPECT_EQ(distance({}), 0.0);
+}
+
+TEST(SurfaceCoverage, LatticeThatCoversTheSurfaceIsFree)
+{
+  const HexMesh   mesh = organ.lattice(4);
+  SurfaceCoverage coverage(LatticeLayout(8), surfacePointsOf(mesh, organ.distance()), 1);
+  coverage.associate(vectorOf(mesh));
+  EXPECT_FALSE(coverage.isInDoubt());
+  EXPECT_EQ(valueAt(energyOf(coverage, 1.0), vectorOf(mesh)), 0.0);
+  EXPECT_EQ(gradientAt(energyOf(coverage, 1.0), vectorOf(mesh)), VectorXd::Zero(LatticeLayout(8).size()));
+}
+
+TEST(SurfaceCoverage, SpringsPullBeyondHalfACell)
+{
+  // One point above the middle of a quadrilateral of [0,3]^3, which has its centre there.
+  const VectorXd x = vectorOf(unitCells(4, 0.0, 1));
+  for (const double height : { 0.4, 0.5, 0.8, 1.5 })
+  {
+    SurfaceCoverage coverage(LatticeLayout(4), { Vector3(1.5, 1.5, 3.0 + height) }, 1);
+    coverage.associate(x);
+    EXPECT_TRUE(coverage.isInDoubt());
+    const double excess = std::max(0.0, height - 0.5);
+    EXPECT_NEAR(valueAt(energyOf(coverage, 6.0), x), 3.0 * excess * excess, 1e-12) << height;
+  }
+}
+
+TEST(SurfaceCoverage, GradientHasTaylorRemainderOfSecondOrder)
+{
+  const HexMesh   mesh = drained(3, 0.6);
+  SurfaceCoverage coverage(LatticeLayout(6), surfacePointsOf(organ.lattice(3), organ.distance()), 1);
+  coverage.associate(vectorOf(mesh));
+  ASSERT_TRUE(coverage.isInDoubt());
+  EXPECT_GT(valueAt(energyOf(coverage, 80.0), vectorOf(mesh)), 0.0);
+  EXPECT_NEAR(taylorOrder(energyOf(coverage, 80.0), mesh, 1e-2), 2.0, 0.1);
+}
+
+TEST(SurfaceCoverage, SurfacePointsLieOnTheSurface)
+{
+  for (const double scale : { 0.9, 1.0, 1.05 })
+  {
+    const Positions points = surfacePointsOf(drained(4, scale), organ.distance());
+    EXPECT_GE(points.size(), 1000u) << scale;
+    Vector3 gradient;
+    for (const Vector3 & point : points)
+    {
+      EXPECT_LT(std::abs(organ.distance()(point, gradient)), 1e-3);
+    }
+  }
+}
+
+TEST(SurfaceCoverage, IsTheSameForAnyNumberOfThreads)
+{
+  const VectorXd  x = vectorOf(drained(4, 0.7));
+  const Positions points = surfacePointsOf(organ.lattice(4), organ.distance());
+  SurfaceCoverage one(LatticeLayout(8), points, 1);
+  SurfaceCoverage three(LatticeLayout(8), points, 3);
+  one.associate(x);
+  three.associate(x);
+  EXPECT_EQ(one.largestDistance(), three.largestDistance());
+  EXPECT_EQ(valueAt(energyOf(one, 1.0), x), valueAt(energyOf(three, 1.0), x));
+  EXPECT_TRUE(gradientAt(energyOf(one, 1.0), x) == gradientAt(energyOf(three, 1.0), x));
+}

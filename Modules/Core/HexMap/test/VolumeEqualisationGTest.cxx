@@ -1,0 +1,528 @@
+// Exactness: variance 1e-18 as the header promises, volume 1e-9 relative, certificates by the Quality module. Threads
+// and exact starts: bit for bit. Rotation with translation: 1e-9 relative after few steps; a tenth of a
+// cell's edge after all of them (0.01 is measured: rounding grows along the minimisation).
+#include "moserhex/HexMap/VolumeEqualisation.h"
+
+#include "TestMeasures.h"
+#include "TestSolids.h"
+#include "moserhex/Analytic/SurfaceShapes.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/HexMap/MassMeasure.h"
+#include "moserhex/Quality/HexQuality.h"
+#include "moserhex/Quality/JacobianBounds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+using namespace moserhex;
+using namespace moserhex::testing;
+
+namespace
+{
+EqualisationOptions
+nodes(int nodesPerSide)
+{
+  EqualisationOptions options;
+  options.nodesPerSide = nodesPerSide;
+  return options;
+}
+
+/** Largest |phi| over boundary nodes and the centres of boundary quadrilaterals. */
+double
+largestDistance(const HexMesh & mesh, const SignedDistance & phi)
+{
+  const int  n = mesh.nodesPerSide;
+  double     largest = 0.0;
+  Vector3    gradient;
+  const auto look = [&](const Vector3 & point) {
+    const double value = std::abs(phi(point, gradient));
+    largest = std::max(largest, value / gradient.norm());
+  };
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+  {
+    if (onBoundary(n, node))
+    {
+      look(mesh.nodes[node]);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int side : { 0, n - 1 })
+    {
+      const auto at = [&](int a, int b) {
+        int index[3];
+        index[axis] = side;
+        index[(axis + 1) % 3] = a;
+        index[(axis + 2) % 3] = b;
+        return mesh.nodes[mesh.nodeNumber(index[0], index[1], index[2])];
+      };
+      for (int b = 0; b + 1 < n; ++b)
+      {
+        for (int a = 0; a + 1 < n; ++a)
+        {
+          look(0.25 * (at(a, b) + at(a + 1, b) + at(a, b + 1) + at(a + 1, b + 1)));
+        }
+      }
+    }
+  }
+  return largest;
+}
+
+/** What the result says is what the mesh is. */
+void
+expectHonest(const EqualisationResult & result, const SignedDistance & phi, double volume)
+{
+  const double target = volume / static_cast<double>(result.mesh.cellCount());
+  double       variance = 0.0;
+  for (const double cell : cellVolumes(result.mesh))
+  {
+    variance += std::pow(cell / target - 1.0, 2) / static_cast<double>(result.mesh.cellCount());
+  }
+  EXPECT_NEAR(result.variance, variance, 1e-9 * variance + 1e-26);
+  EXPECT_EQ(result.concaveCells, volumeQuality(result.mesh).concaveCells);
+  EXPECT_EQ(result.uncertifiedCells, result.mesh.cellCount() - certifyCells(result.mesh).positive);
+  EXPECT_NEAR(result.largestDistance, largestDistance(result.mesh, phi), 1e-9 * result.largestDistance + 1e-12);
+  EXPECT_EQ(result.exact, result.shortcomings.empty());
+  EXPECT_EQ(result.report.converged, result.exact);
+  EXPECT_EQ(result.report.residual, result.variance);
+}
+
+void
+expectExact(const EqualisationResult & result, const SignedDistance & phi, double volume, int nodesPerSide)
+{
+  expectHonest(result, phi, volume);
+  ASSERT_EQ(result.mesh.nodesPerSide, nodesPerSide);
+  EXPECT_TRUE(result.exact);
+  for (const std::string & shortcoming : result.shortcomings)
+  {
+    ADD_FAILURE() << shortcoming;
+  }
+  EXPECT_LE(result.variance, 1e-18);
+  EXPECT_EQ(result.concaveCells, 0u);
+  EXPECT_EQ(certifyCells(result.mesh).positive, result.mesh.cellCount());
+  EXPECT_NEAR(measureEquality(result.mesh, VolumeMeasure()).total, volume, 1e-9 * volume);
+  EXPECT_LE(result.largestDistance, EqualisationOptions().surfaceTolerance);
+}
+
+void
+expectExact(const BentEllipsoid & organ, int shells, int nodesPerSide)
+{
+  const EqualisationResult result =
+    equaliseVolumes(organ.lattice(shells), organ.distance(), organ.volume(), nodes(nodesPerSide));
+  expectExact(result, organ.distance(), organ.volume(), nodesPerSide);
+}
+
+// Sizes of organs: the ball 40 mm across, the others of about the same volume.
+const BentEllipsoid ball = ballOfRadius(20.0);
+const BentEllipsoid slender{ Vector3(58.5, 11.7, 11.7) }; // 5:1
+const BentEllipsoid banana{ Vector3(32.0, 14.0, 16.0), 0.012 };
+
+const Vector3 boxSides = Vector3::Constant(30.0);
+const double  boxVolume = boxSides.prod();
+
+/** Every node anywhere in the middle nine tenths of the box. */
+HexMesh
+tangledBox(int n, std::uint64_t seed)
+{
+  Random random(seed);
+  return mappedLattice(n, [&](const Vector3 &) {
+    const double x = random.uniform(0.05, 0.95);
+    const double y = random.uniform(0.05, 0.95);
+    const double z = random.uniform(0.05, 0.95);
+    return Vector3(Vector3(x, y, z).cwiseProduct(boxSides));
+  });
+}
+
+HexMesh
+regularBox(int n)
+{
+  return mappedLattice(n, [](const Vector3 & x) { return Vector3(x.cwiseProduct(boxSides)); });
+}
+
+void
+expectRefused(const EqualisationOptions & options)
+{
+  EXPECT_THROW((void)equaliseVolumes(ball.lattice(2), ball.distance(), ball.volume(), options), InvalidInput);
+}
+
+/** Options whose three lists of stages are one stage each. */
+EqualisationOptions
+stages(const EqualisationStage & stage)
+{
+  EqualisationOptions options;
+  options.coarseStages = { stage };
+  options.finestStages = { stage };
+  options.directStages = { stage };
+  return options;
+}
+
+EqualisationResult
+equalised(const BentEllipsoid & solid, const EqualisationOptions & options)
+{
+  return equaliseVolumes(solid.lattice(3), solid.distance(), solid.volume(), options);
+}
+
+/** A solid and the same one turned and 100 mm away. */
+struct MovedSolid
+{
+  explicit MovedSolid(const BentEllipsoid & solid) : one(solid), other(solid)
+  {
+    other.turn = analytic::rotation(Vector3(1.0, -2.0, 0.5), 0.7);
+    other.shift = Vector3(100.0, -50.0, 30.0);
+  }
+
+  /** Between the results, moved back [mm]. */
+  [[nodiscard]] double
+  largestDifference(const EqualisationOptions & options) const
+  {
+    const HexMesh first = equalised(one, options).mesh;
+    const HexMesh second = equalised(other, options).mesh;
+    double        largest = 0.0;
+    for (std::size_t node = 0; node < first.nodes.size(); ++node)
+    {
+      const Vector3 expected = other.shift + other.turn * first.nodes[node];
+      largest = std::max(largest, (second.nodes[node] - expected).norm());
+    }
+    return largest;
+  }
+
+  BentEllipsoid one;
+  BentEllipsoid other;
+};
+
+const double notANumber = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+} // namespace
+
+TEST(VolumeEqualisation, BallFromACoarseStartIsExact)
+{
+  expectExact(ball, 3, 14);
+}
+
+TEST(VolumeEqualisation, BallFromAStartOfTheSameSizeIsExact)
+{
+  expectExact(ball, 5, 10);
+}
+
+TEST(VolumeEqualisation, SlenderEllipsoidFromACoarseStartIsExact)
+{
+  expectExact(slender, 3, 12);
+}
+
+TEST(VolumeEqualisation, SlenderEllipsoidFromAStartOfTheSameSizeIsExact)
+{
+  expectExact(slender, 5, 10);
+}
+
+TEST(VolumeEqualisation, BananaFromACoarseStartIsExact)
+{
+  expectExact(banana, 3, 12);
+}
+
+TEST(VolumeEqualisation, BananaFromAStartOfTheSameSizeIsExact)
+{
+  expectExact(banana, 5, 10);
+}
+
+TEST(VolumeEqualisation, OddNumberOfNodesIsExactToo)
+{
+  expectExact(ball, 3, 11);
+}
+
+TEST(VolumeEqualisation, ShakenInteriorOfACubeUntangles)
+{
+  for (const std::uint64_t seed : { 1u, 2u, 3u })
+  {
+    HexMesh start = shaken(regularLattice(8), 0.3, seed); // two cells' edges
+    for (Vector3 & node : start.nodes)
+    {
+      node = node.cwiseProduct(boxSides);
+    }
+    EXPECT_GT(volumeQuality(start).concaveCells, start.cellCount() / 2) << seed; // else nothing is tested
+    const EqualisationResult result = equaliseVolumes(start, boxDistance(boxSides), boxVolume);
+    expectExact(result, boxDistance(boxSides), boxVolume, 8);
+  }
+}
+
+TEST(VolumeEqualisation, ShakenBallUntangles)
+{
+  HexMesh start = shaken(ball.lattice(4), 10.0, 4);
+  EXPECT_GT(volumeQuality(start).concaveCells, start.cellCount() / 2); // else nothing is tested
+  expectExact(equaliseVolumes(start, ball.distance(), ball.volume()), ball.distance(), ball.volume(), 8);
+}
+
+TEST(VolumeEqualisation, ResultForAnyTangleIsHonest)
+{
+  // Without an order to start from there need be no way out: then the result says so.
+  const HexMesh            start = tangledBox(6, 1);
+  const EqualisationResult result = equaliseVolumes(start, boxDistance(boxSides), boxVolume);
+  expectHonest(result, boxDistance(boxSides), boxVolume);
+  EXPECT_LE(result.concaveCells, volumeQuality(start).concaveCells);
+}
+
+TEST(VolumeEqualisation, ExactLatticeIsLeftAlone)
+{
+  const HexMesh            start = regularBox(7);
+  const EqualisationResult result = equaliseVolumes(start, boxDistance(boxSides), boxVolume);
+  expectExact(result, boxDistance(boxSides), boxVolume, 7);
+  EXPECT_EQ(result.mesh.nodes, start.nodes);
+}
+
+TEST(VolumeEqualisation, ItsOwnResultIsLeftAlone)
+{
+  const EqualisationResult first = equaliseVolumes(ball.lattice(3), ball.distance(), ball.volume(), nodes(10));
+  ASSERT_TRUE(first.exact);
+  const EqualisationResult second = equaliseVolumes(first.mesh, ball.distance(), ball.volume());
+  EXPECT_TRUE(second.exact);
+  EXPECT_EQ(second.mesh.nodes, first.mesh.nodes);
+}
+
+TEST(VolumeEqualisation, MassesUnderALinearDensityBecomeEqual)
+{
+  const LinearDensity density(1.0, Vector3(0.02, -0.01, 0.015)); // 1 at the centre: the ball's mass is its volume
+  const MassMeasure   measure(density, { 2 });
+  const auto          result =
+    equaliseMeasures(ball.lattice(3), ball.distance(), ball.volume(), measure, ball.volume(), nodes(10));
+  EXPECT_TRUE(result.exact);
+  EXPECT_EQ(certifyCells(result.mesh).positive, result.mesh.cellCount());
+  EXPECT_LE(result.variance, 1e-18);
+  const double target = ball.volume() / 729.0;
+  for (const double mass : measuresOf(measure, result.mesh))
+  {
+    EXPECT_NEAR(mass, target, 1e-8 * target);
+  }
+  EXPECT_GT(measureEquality(result.mesh, VolumeMeasure()).variance, 1e-3); // else the density did nothing
+}
+
+TEST(VolumeEqualisation, UniformDensityGivesEqualVolumes)
+{
+  const LinearDensity density(2.5, Vector3::Zero());
+  const MassMeasure   measure(density, { 2 });
+  const auto          result =
+    equaliseMeasures(ball.lattice(3), ball.distance(), ball.volume(), measure, 2.5 * ball.volume(), nodes(8));
+  expectExact(result, ball.distance(), ball.volume(), 8);
+}
+
+TEST(VolumeEqualisation, VolumeThatTheSurfaceDoesNotHoldIsReported)
+{
+  for (const double factor : { 0.5, 2.0 })
+  {
+    const double volume = factor * ball.volume();
+    const auto   result = equaliseVolumes(ball.lattice(3), ball.distance(), volume);
+    expectHonest(result, ball.distance(), volume);
+    EXPECT_FALSE(result.exact) << factor;
+    EXPECT_FALSE(result.shortcomings.empty()) << factor;
+  }
+}
+
+TEST(VolumeEqualisation, SurfaceFarFromTheStartIsReportedOrReached)
+{
+  BentEllipsoid away = ball;
+  away.shift = Vector3(500.0, 0.0, 0.0);
+  const auto result = equaliseVolumes(ball.lattice(3), away.distance(), ball.volume());
+  expectHonest(result, away.distance(), ball.volume());
+}
+
+TEST(VolumeEqualisation, NoStepsAtAllAreReported)
+{
+  EqualisationOptions options = stages({ 0.1, 50.0, 80.0, 0, 1 });
+  options.repairRounds = 0;
+  options.projection.maximumSteps = 0;
+  const auto result = equaliseVolumes(ball.lattice(3), ball.distance(), ball.volume(), options);
+  expectHonest(result, ball.distance(), ball.volume());
+  EXPECT_FALSE(result.exact);
+}
+
+TEST(VolumeEqualisation, EveryStepIsLogged)
+{
+  const auto result = equaliseVolumes(ball.lattice(3), ball.distance(), ball.volume(), nodes(12));
+  ASSERT_FALSE(result.steps.empty());
+  EXPECT_EQ(result.report.steps, static_cast<int>(result.steps.size()));
+  std::set<std::string> names;
+  for (const EqualisationStep & step : result.steps)
+  {
+    names.insert(step.name);
+    EXPECT_TRUE(step.nodesPerSide >= 6 && step.nodesPerSide <= 12) << step.nodesPerSide;
+    EXPECT_GE(step.seconds, 0.0);
+    EXPECT_TRUE(std::isfinite(step.variance) && std::isfinite(step.distance));
+  }
+  EXPECT_TRUE(names.count("minimise") == 1 && names.count("project") == 1);
+  names.erase("minimise");
+  names.erase("project");
+  names.erase("repair");
+  EXPECT_TRUE(names.empty()) << *names.begin();
+}
+
+TEST(VolumeEqualisation, IsTheSameForAnyNumberOfThreads)
+{
+  EqualisationOptions options = nodes(14); // slabs run side by side from here on
+  options.threads = 1;
+  const auto one = equaliseVolumes(banana.lattice(3), banana.distance(), banana.volume(), options);
+  for (const unsigned int threads : { 2u, 3u })
+  {
+    options.threads = threads;
+    const auto several = equaliseVolumes(banana.lattice(3), banana.distance(), banana.volume(), options);
+    EXPECT_EQ(several.mesh.nodes, one.mesh.nodes) << threads;
+    EXPECT_EQ(several.level, one.level) << threads;
+    EXPECT_EQ(several.largestDistance, one.largestDistance) << threads;
+    EXPECT_EQ(several.steps.size(), one.steps.size()) << threads;
+  }
+}
+
+TEST(VolumeEqualisation, FirstStepsForAMovedSolidAreThoseOfTheSolid)
+{
+  const EqualisationOptions options = stages({ 0.1, 50.0, 80.0, 5, 1 });
+  const MovedSolid          pair(banana);
+  const EqualisationStep    first = equalised(pair.one, options).steps.front();
+  const EqualisationStep    moved = equalised(pair.other, options).steps.front();
+  EXPECT_EQ(first.iterations, 5);
+  EXPECT_NEAR(moved.variance, first.variance, 1e-9 * first.variance);
+  EXPECT_NEAR(moved.distance, first.distance, 1e-9 * 30.0);
+}
+
+TEST(VolumeEqualisation, MovedSolidGivesTheMovedResult)
+{
+  // Rounding grows along a few hundred steps of minimisation, mostly in where nodes slide along the surface.
+  const MovedSolid pair(banana);
+  EXPECT_LT(pair.largestDifference(nodes(10)), 0.1 * std::cbrt(banana.volume() / 729.0));
+}
+
+TEST(VolumeEqualisation, ScaledSolidGivesTheScaledResult)
+{
+  BentEllipsoid scaled = banana;
+  scaled.semiAxes *= 2.0;
+  scaled.curvature *= 0.5;
+  EqualisationOptions options = nodes(10);
+  const auto          one = equaliseVolumes(banana.lattice(3), banana.distance(), banana.volume(), options);
+  options.surfaceTolerance *= 2.0;
+  const auto other = equaliseVolumes(scaled.lattice(3), scaled.distance(), scaled.volume(), options);
+  double     largest = 0.0;
+  for (std::size_t node = 0; node < one.mesh.nodes.size(); ++node)
+  {
+    largest = std::max(largest, (other.mesh.nodes[node] - 2.0 * one.mesh.nodes[node]).norm());
+  }
+  EXPECT_LT(largest, 1e-9 * 60.0); // a power of two: hardly any rounding differs
+}
+
+TEST(VolumeEqualisation, ProgressGrowsFromZeroToOne)
+{
+  double previous = 0.0;
+  (void)equaliseVolumes(ball.lattice(2), ball.distance(), ball.volume(), nodes(8), [&](double fraction) {
+    EXPECT_GE(fraction, previous);
+    EXPECT_LE(fraction, 1.0);
+    previous = fraction;
+    return true;
+  });
+  EXPECT_EQ(previous, 1.0);
+}
+
+TEST(VolumeEqualisation, CallbackCancels)
+{
+  int calls = 0;
+  EXPECT_THROW((void)equaliseVolumes(
+                 ball.lattice(2), ball.distance(), ball.volume(), nodes(8), [&](double) { return ++calls < 20; }),
+               Cancelled);
+  EXPECT_EQ(calls, 20);
+}
+
+TEST(VolumeEqualisation, MeshThatIsNotALatticeIsRefused)
+{
+  HexMesh mesh = ball.lattice(2);
+  mesh.nodes.pop_back();
+  EXPECT_THROW((void)equaliseVolumes(mesh, ball.distance(), ball.volume()), InvalidInput);
+  EXPECT_THROW((void)equaliseVolumes({ 1, { Vector3::Zero() } }, ball.distance(), ball.volume()), InvalidInput);
+}
+
+TEST(VolumeEqualisation, NodeThatIsNotFiniteIsRefused)
+{
+  HexMesh mesh = ball.lattice(2);
+  mesh.nodes[5].z() = infinity;
+  EXPECT_THROW((void)equaliseVolumes(mesh, ball.distance(), ball.volume()), InvalidInput);
+}
+
+TEST(VolumeEqualisation, VolumeThatIsNotPositiveAndFiniteIsRefused)
+{
+  for (const double volume : { 0.0, -1.0, infinity, notANumber })
+  {
+    EXPECT_THROW((void)equaliseMeasures(ball.lattice(2), ball.distance(), volume, VolumeMeasure(), 1.0), InvalidInput)
+      << volume;
+  }
+}
+
+TEST(VolumeEqualisation, TotalThatIsNotPositiveAndFiniteIsRefused)
+{
+  for (const double total : { 0.0, -1.0, infinity, notANumber })
+  {
+    EXPECT_THROW((void)equaliseMeasures(ball.lattice(2), ball.distance(), ball.volume(), VolumeMeasure(), total),
+                 InvalidInput)
+      << total;
+  }
+}
+
+TEST(VolumeEqualisation, NoSurfaceIsRefused)
+{
+  EXPECT_THROW((void)equaliseVolumes(ball.lattice(2), {}, ball.volume()), InvalidInput);
+}
+
+TEST(VolumeEqualisation, CoarserLatticeThanGivenIsRefused)
+{
+  expectRefused(nodes(3));
+  expectRefused(nodes(-1));
+}
+
+TEST(VolumeEqualisation, StageOutOfRangeIsRefused)
+{
+  for (const EqualisationStage & stage : { EqualisationStage{ 0.0, 50.0, 80.0, 60, 1 },
+                                           EqualisationStage{ infinity, 50.0, 80.0, 60, 1 },
+                                           EqualisationStage{ 0.1, -1.0, 80.0, 60, 1 },
+                                           EqualisationStage{ 0.1, notANumber, 80.0, 60, 1 },
+                                           EqualisationStage{ 0.1, 50.0, -1.0, 60, 1 },
+                                           EqualisationStage{ 0.1, 50.0, 80.0, -1, 1 },
+                                           EqualisationStage{ 0.1, 50.0, 80.0, 60, 0 },
+                                           EqualisationStage{ 0.1, 50.0, 80.0, 60, 9 } })
+  {
+    EqualisationOptions options;
+    options.coarseStages = { stage };
+    expectRefused(options);
+    options = {};
+    options.finestStages = { stage };
+    expectRefused(options);
+    options = {};
+    options.directStages = { stage };
+    expectRefused(options);
+  }
+}
+
+TEST(VolumeEqualisation, RepairOptionsOutOfRangeAreRefused)
+{
+  EqualisationOptions options;
+  options.repairRounds = -1;
+  expectRefused(options);
+  for (const double margin : { 0.0, -0.1, notANumber })
+  {
+    options = {};
+    options.repairMargin = margin;
+    expectRefused(options);
+  }
+}
+
+TEST(VolumeEqualisation, SurfaceToleranceThatIsNotPositiveIsRefused)
+{
+  EqualisationOptions options;
+  for (const double tolerance : { 0.0, -0.1, notANumber })
+  {
+    options.surfaceTolerance = tolerance;
+    expectRefused(options);
+  }
+}
+
+TEST(VolumeEqualisation, ProjectionOptionOutOfRangeIsRefused)
+{
+  EqualisationOptions options;
+  options.projection.normalMotion = 0.0;
+  expectRefused(options);
+}

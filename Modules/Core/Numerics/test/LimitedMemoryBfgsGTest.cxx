@@ -1,0 +1,327 @@
+// Quadratics: round-off (1e-9 of the first gradient, whose condition number is 100). Minimisers with a closed form:
+// 1e-6. What must not rise, and what must be the same, is compared bit for bit.
+#include "moserhex/Numerics/LimitedMemoryBfgs.h"
+
+#include "RandomField.h"
+#include "moserhex/Common/Errors.h"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace moserhex;
+
+namespace
+{
+using Eigen::VectorXd;
+
+constexpr Eigen::Index size = 12;
+
+/** 1/2 x.A x - b.x, A dense with eigenvalues from 1 to about 100. */
+struct Quadratic
+{
+  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(size, size);
+  VectorXd        b = randomField(size, 1);
+
+  Quadratic()
+  {
+    for (Eigen::Index i = 0; i < size; ++i)
+    {
+      const VectorXd v = randomField(size, 10 + static_cast<std::uint64_t>(i));
+      A += static_cast<double>(i) * v * v.transpose();
+    }
+  }
+
+  double
+  operator()(const VectorXd & x, VectorXd & gradient) const
+  {
+    gradient = A * x - b;
+    return 0.5 * x.dot(A * x) - b.dot(x);
+  }
+
+  /** H0 = scale A^-1 */
+  [[nodiscard]] PreconditionerInPlace
+  inverse(double scale) const
+  {
+    return [factor = Eigen::LLT<Eigen::MatrixXd>(A), scale](VectorXd & v) { v = scale * factor.solve(v); };
+  }
+};
+
+/** Chained: sum of 100 (x_{i+1} - x_i^2)^2 + (1 - x_i)^2. */
+double
+rosenbrock(const VectorXd & x, VectorXd & gradient)
+{
+  gradient.setZero();
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i + 1 < x.size(); ++i)
+  {
+    const double valley = x[i + 1] - x[i] * x[i];
+    sum += 100.0 * valley * valley + (1.0 - x[i]) * (1.0 - x[i]);
+    gradient[i] += -400.0 * x[i] * valley - 2.0 * (1.0 - x[i]);
+    gradient[i + 1] += 200.0 * valley;
+  }
+  return sum;
+}
+
+VectorXd
+rosenbrockStart(Eigen::Index count)
+{
+  VectorXd x(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    x[i] = i % 2 == 0 ? -1.2 : 1.0;
+  }
+  return x;
+}
+
+LimitedMemoryBfgsOptions
+steps(int maximum)
+{
+  LimitedMemoryBfgsOptions options;
+  options.maximumSteps = maximum;
+  options.smallestDecrease = 0.0;
+  return options;
+}
+
+void
+expectRefused(const LimitedMemoryBfgsOptions & options)
+{
+  VectorXd x = VectorXd::Zero(size);
+  EXPECT_THROW((void)minimiseByLimitedMemoryBfgs(Quadratic(), x, {}, options), InvalidInput);
+}
+
+} // namespace
+
+TEST(LimitedMemoryBfgs, QuadraticWithItsInverseHessianTakesOneStep)
+{
+  const Quadratic f;
+  VectorXd        x = VectorXd::Zero(size);
+  const auto      result = minimiseByLimitedMemoryBfgs(f, x, f.inverse(1.0), steps(1));
+  EXPECT_EQ(result.report.steps, 1);
+  EXPECT_EQ(result.evaluations, 2);
+  EXPECT_LT(result.gradientNorm, 1e-12 * f.b.norm() * f.A.norm());
+  EXPECT_LT((x - f.A.llt().solve(f.b)).norm(), 1e-12);
+}
+
+TEST(LimitedMemoryBfgs, ScaleOfThePreconditionerIsFittedAfterOneStep)
+{
+  const Quadratic f;
+  VectorXd        x = VectorXd::Zero(size);
+  const auto      result = minimiseByLimitedMemoryBfgs(f, x, f.inverse(1e-3), steps(2));
+  EXPECT_EQ(result.evaluations, 3);
+  EXPECT_LT(result.gradientNorm, 1e-9 * f.b.norm());
+}
+
+TEST(LimitedMemoryBfgs, TooLongAStepIsShortenedToTheMinimumOfTheParabola)
+{
+  const Quadratic f;
+  VectorXd        x = VectorXd::Zero(size);
+  const auto      result = minimiseByLimitedMemoryBfgs(f, x, f.inverse(3.0), steps(1));
+  EXPECT_EQ(result.evaluations, 3); // start, overshoot, minimum
+  EXPECT_LT(result.gradientNorm, 1e-12 * f.b.norm() * f.A.norm());
+}
+
+TEST(LimitedMemoryBfgs, QuadraticIsSolvedWithoutAPreconditioner)
+{
+  const Quadratic f;
+  VectorXd        x = randomField(size, 3);
+  const auto      result = minimiseByLimitedMemoryBfgs(f, x, {}, steps(400));
+  EXPECT_LT((x - f.A.llt().solve(f.b)).norm(), 1e-6);
+  EXPECT_LT(result.gradientNorm, 1e-5);
+}
+
+TEST(LimitedMemoryBfgs, RosenbrockIsMinimised)
+{
+  for (const Eigen::Index count : { 2, 10 })
+  {
+    VectorXd   x = rosenbrockStart(count);
+    const auto result = minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(1000));
+    // The chain has a second, local minimum near x_0 = -1 for four numbers and more: only stationarity holds there.
+    EXPECT_LT(result.gradientNorm, 1e-6) << count;
+    if (count == 2)
+    {
+      EXPECT_LT((x - VectorXd::Ones(count)).norm(), 1e-6);
+      EXPECT_LT(result.value, 1e-12);
+    }
+  }
+}
+
+TEST(LimitedMemoryBfgs, ValueNeverRisesFromStepToStep)
+{
+  double previous = std::numeric_limits<double>::infinity();
+  for (int count = 0; count <= 40; ++count)
+  {
+    VectorXd   x = rosenbrockStart(4);
+    const auto result = minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(count));
+    VectorXd   gradient(4);
+    EXPECT_EQ(result.value, rosenbrock(x, gradient)) << count;
+    EXPECT_EQ(result.gradientNorm, gradient.norm()) << count;
+    EXPECT_LE(result.value, previous) << count;
+    previous = result.value;
+  }
+}
+
+TEST(LimitedMemoryBfgs, FunctionWithADomainIsMinimisedInsideIt)
+{
+  // Analytic centre of the simplex: -sum log x_i - log(1 - sum x_i) is least where all n + 1 terms are equal.
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double outside : { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity })
+  {
+    int        calls = 0;
+    int        callsOutside = 0;
+    const auto barrier = [&](const VectorXd & x, VectorXd & gradient) {
+      ++calls;
+      const double rest = 1.0 - x.sum();
+      if (x.minCoeff() <= 0.0 || rest <= 0.0)
+      {
+        ++callsOutside;
+        return outside;
+      }
+      gradient = (-x.cwiseInverse()).array() + 1.0 / rest;
+      return -x.array().log().sum() - std::log(rest);
+    };
+    VectorXd x = VectorXd::Constant(5, 1e-3);
+    x[2] = 0.9;
+    const auto result = minimiseByLimitedMemoryBfgs(barrier, x, {}, steps(200));
+    EXPECT_GT(callsOutside, 0); // else nothing was tested
+    EXPECT_LT((x - VectorXd::Constant(5, 1.0 / 6.0)).norm(), 1e-6) << outside;
+    EXPECT_NEAR(result.value, 6.0 * std::log(6.0), 1e-12) << outside;
+    EXPECT_EQ(result.evaluations, calls);
+  }
+}
+
+TEST(LimitedMemoryBfgs, StartAtTheMinimumConvergesInNoStep)
+{
+  VectorXd   x = VectorXd::Ones(3);
+  const auto result = minimiseByLimitedMemoryBfgs(rosenbrock, x);
+  EXPECT_TRUE(result.report.converged);
+  EXPECT_EQ(result.report.steps, 0);
+  EXPECT_EQ(x, VectorXd::Ones(3));
+}
+
+TEST(LimitedMemoryBfgs, StoppingToFallIsConvergence)
+{
+  const Quadratic          f;
+  LimitedMemoryBfgsOptions options;
+  options.maximumSteps = 1000;
+  for (const bool isPreconditioned : { false, true })
+  {
+    VectorXd   x = VectorXd::Zero(size);
+    const auto inverse = isPreconditioned ? f.inverse(1.0) : PreconditionerInPlace();
+    const auto result = minimiseByLimitedMemoryBfgs(f, x, inverse, options);
+    EXPECT_TRUE(result.report.converged) << isPreconditioned << " " << result.report.note;
+    EXPECT_LT(result.report.residual, options.smallestDecrease) << isPreconditioned;
+    EXPECT_LT(result.report.steps, 200) << isPreconditioned;
+  }
+}
+
+TEST(LimitedMemoryBfgs, RunningOutOfStepsIsSaidNotThrown)
+{
+  VectorXd   x = rosenbrockStart(2);
+  const auto result = minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(5));
+  EXPECT_FALSE(result.report.converged);
+  EXPECT_EQ(result.report.steps, 5);
+}
+
+TEST(LimitedMemoryBfgs, ProgressIsToldOfEveryStep)
+{
+  std::vector<double> fractions;
+  VectorXd            x = rosenbrockStart(2);
+  const auto          result = minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(15), [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  ASSERT_GE(fractions.size(), static_cast<std::size_t>(result.report.steps));
+  for (std::size_t i = 0; i < fractions.size(); ++i)
+  {
+    EXPECT_GE(fractions[i], i == 0 ? 0.0 : fractions[i - 1]);
+    EXPECT_LE(fractions[i], 1.0);
+  }
+}
+
+TEST(LimitedMemoryBfgs, CallbackCancels)
+{
+  VectorXd x = rosenbrockStart(2);
+  int      calls = 0;
+  EXPECT_THROW((void)minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(50), [&](double) { return ++calls < 4; }),
+               Cancelled);
+  EXPECT_EQ(calls, 4);
+}
+
+TEST(LimitedMemoryBfgs, TwoRunsAreTheSame)
+{
+  VectorXd first = rosenbrockStart(6);
+  VectorXd second = first;
+  (void)minimiseByLimitedMemoryBfgs(rosenbrock, first, {}, steps(37));
+  (void)minimiseByLimitedMemoryBfgs(rosenbrock, second, {}, steps(37));
+  EXPECT_EQ(first, second);
+}
+
+TEST(LimitedMemoryBfgs, StartOutsideTheDomainIsRefused)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  VectorXd     x = VectorXd::Zero(2);
+  EXPECT_THROW((void)minimiseByLimitedMemoryBfgs(
+                 [&](const VectorXd &, VectorXd & gradient) {
+                   gradient.setZero();
+                   return nan;
+                 },
+                 x),
+               InvalidInput);
+  EXPECT_THROW((void)minimiseByLimitedMemoryBfgs(
+                 [&](const VectorXd &, VectorXd & gradient) {
+                   gradient.setConstant(nan);
+                   return 1.0;
+                 },
+                 x),
+               InvalidInput);
+}
+
+TEST(LimitedMemoryBfgs, NegativeNumberOfStepsIsRefused)
+{
+  expectRefused(steps(-1));
+}
+
+TEST(LimitedMemoryBfgs, EmptyMemoryIsRefused)
+{
+  LimitedMemoryBfgsOptions options;
+  options.memory = 0;
+  expectRefused(options);
+}
+
+TEST(LimitedMemoryBfgs, EmptyWindowIsRefused)
+{
+  LimitedMemoryBfgsOptions options;
+  options.window = 0;
+  expectRefused(options);
+}
+
+TEST(LimitedMemoryBfgs, DecreaseThatIsNegativeOrNoNumberIsRefused)
+{
+  LimitedMemoryBfgsOptions options;
+  for (const double decrease : { -1e-9, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.smallestDecrease = decrease;
+    expectRefused(options);
+  }
+}
+
+TEST(LimitedMemoryBfgs, ArmijoConstantOutsideItsRangeIsRefused)
+{
+  LimitedMemoryBfgsOptions options;
+  for (const double constant : { 0.0, 0.5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.sufficientDecrease = constant;
+    expectRefused(options);
+  }
+}
+
+TEST(LimitedMemoryBfgs, LineSearchWithoutATrialIsRefused)
+{
+  LimitedMemoryBfgsOptions options;
+  options.maximumTrials = 0;
+  expectRefused(options);
+}

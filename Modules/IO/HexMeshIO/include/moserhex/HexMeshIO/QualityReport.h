@@ -1,0 +1,42 @@
+#pragma once
+
+#include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/Quality/HexQuality.h"
+#include "moserhex/Quality/LabelAgreement.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+/** Quality of one mesh file, and how it fills a label: what the command `quality` finds. */
+struct QualityReport
+{
+  struct Label
+  {
+    std::string    file;
+    std::int64_t   value{ 0 };
+    LabelAgreement agreement;
+  };
+
+  std::string              file;
+  std::size_t              nodes{ 0 };
+  HexQualitySummary        quality;
+  std::optional<Label>     label;
+  std::vector<std::string> warnings;
+};
+
+/** The report as JSON: keys in a fixed order, numbers with round-trip precision in the C locale, non-finite numbers as
+ * null, text that is not UTF-8 with replacement characters. */
+[[nodiscard]] std::string
+toJson(const QualityReport & report);
+
+/** Writes toJson(report), complete or not at all. \throws IOError */
+void
+writeQualityReport(const std::string & fileName, const QualityReport & report);
+
+} // namespace moserhex

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/LevelSet/DensityImage.h"
+
+#include <itkImage.h>
+
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+using ScalarImageType = itk::Image<double, 3>;
+
+/** A scalar image as read: LPS millimetres, right-handed or not as the file says. */
+struct ScalarImage
+{
+  std::string              fileName;
+  ScalarImageType::Pointer image;
+  std::vector<std::string> warnings; ///< one line each
+};
+
+/** Reads a three-dimensional scalar image, a density: .nrrd .nii .nii.gz .mha .mhd (isLabelImageName), of any integer
+ * or real voxel type, with a NIfTI file's slope and intercept applied. As strict about the file as readLabelImage, and
+ * by the same code. Values are not judged, NaN and infinity included: what counts is the label (densityOnLabel).
+ *
+ * \throws BadInput  the file is missing or damaged; not a 3-D scalar image; spacing not in [1e-3, 1e3] mm; direction
+ *                   not orthonormal within 1e-3
+ * \throws IOError   the file cannot be opened or read */
+[[nodiscard]] ScalarImage
+readScalarImage(const std::string & fileName);
+
+/** The voxels of an image whose region begins at index 0. */
+[[nodiscard]] ScalarVolume
+scalarVolumeOf(const ScalarImageType & image);
+
+} // namespace moserhex

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "moserhex/HexMeshIO/FileErrors.h"
+
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace moserhex
+{
+
+/** The whole of `word` as a number, in the C locale; a leading '+' and Fortran's exponents (1.5D+02) are understood. */
+template <typename T>
+[[nodiscard]] bool
+parseNumber(std::string_view word, T & value)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    const std::size_t exponent = word.find_first_of("dD");
+    if (exponent != std::string_view::npos)
+    {
+      std::string copy(word);
+      copy[exponent] = 'e';
+      return copy.find_first_of("dD") == std::string::npos && parseNumber(copy, value);
+    }
+  }
+  word.remove_prefix(!word.empty() && word.front() == '+' ? 1 : 0);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+/** A file in memory, handed out in words, lines, numbers or binary values. Whatever is not as expected throws BadInput
+ * with the remedy given. */
+class FileText
+{
+public:
+  /** \param comment  starts a comment that ends with the line; '\0': there are none
+   * \throws IOError  the file cannot be read */
+  FileText(const std::string & fileName, std::string remedy, char comment = '\0');
+
+  /** Up to the next white space; empty at the end. */
+  [[nodiscard]] std::string_view
+  nextWord();
+
+  /** The same without going on. */
+  [[nodiscard]] std::string_view
+  peekWord();
+
+  /** Up to the end of the line, which is passed. */
+  std::string_view
+  nextLine();
+
+  /** Goes behind the next occurrence of `mark`. \throws BadInput  there is none */
+  void
+  skipBehind(const std::string & mark);
+
+  /** Whether `mark` comes later on. */
+  [[nodiscard]] bool
+  contains(const std::string & mark) const
+  {
+    return m_Text.find(mark, m_Position) != std::string::npos;
+  }
+
+  [[nodiscard]] bool
+  atEnd() const
+  {
+    return m_Position >= m_Text.size();
+  }
+
+  [[nodiscard]] bool
+  endsWithNewLine() const
+  {
+    return !m_Text.empty() && m_Text.back() == '\n';
+  }
+
+  [[nodiscard]] std::size_t
+  remaining() const
+  {
+    return m_Text.size() - m_Position;
+  }
+
+  template <typename T>
+  [[nodiscard]] T
+  nextNumber(const char * what)
+  {
+    const std::string_view word = nextWord();
+    T                      value{};
+    if (!parseNumber(word, value))
+    {
+      refuse(word.empty() ? std::string("the file ends before ") + what
+                          : "'" + std::string(word.substr(0, 20)) + "' where " + what + " is expected");
+    }
+    return value;
+  }
+
+  /** Little-endian, as in memory. */
+  template <typename T>
+  [[nodiscard]] T
+  nextBinary(const char * what)
+  {
+    T value{};
+    if (remaining() < sizeof value)
+    {
+      refuse(std::string("the file ends before ") + what);
+    }
+    std::memcpy(&value, m_Text.data() + m_Position, sizeof value);
+    m_Position += sizeof value;
+    return value;
+  }
+
+  /** \throws BadInput  `count` things of `bytesEach` bytes at least do not fit into the rest of the file: found before
+   *                   memory is asked for */
+  void
+  requireRoom(std::size_t count, std::size_t bytesEach, const char * what) const;
+
+  [[noreturn]] void
+  refuse(const std::string & cause) const;
+
+private:
+  void
+  skipSpace();
+
+  std::string m_FileName;
+  std::string m_Remedy;
+  std::string m_Text;
+  std::size_t m_Position{ 0 };
+  char        m_Comment;
+};
+
+} // namespace moserhex

@@ -1,0 +1,39 @@
+#include "moserhex/HexMeshIO/HexCellReader.h"
+
+#include "FileNames.h"
+#include "HexCellFormats.h"
+#include "ImageFileCheck.h"
+
+namespace moserhex
+{
+
+bool
+isHexCellName(const std::string & fileName)
+{
+  return endsWithAny(fileName, { ".vtu", ".vtk", ".msh", ".mesh", ".inp" });
+}
+
+HexCellFile
+readHexCells(const std::string & fileName)
+{
+  if (!isHexCellName(fileName))
+  {
+    throw BadInput(fileName, "not a mesh file's name", "give a .vtu, .vtk, .msh, .mesh or .inp file");
+  }
+  requireReadableFile(fileName);
+  if (endsWith(fileName, ".msh"))
+  {
+    return readGmshCells(fileName);
+  }
+  if (endsWith(fileName, ".mesh"))
+  {
+    return readMeditCells(fileName);
+  }
+  if (endsWith(fileName, ".inp"))
+  {
+    return readAbaqusCells(fileName);
+  }
+  return readVtkCells(fileName);
+}
+
+} // namespace moserhex

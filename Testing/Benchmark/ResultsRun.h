@@ -1,0 +1,65 @@
+#pragma once
+
+#include "itkMassPreservingHexahedralMeshFilter.h"
+
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace moserhex::results
+{
+
+using Pipeline = itk::MassPreservingHexahedralMeshFilter<LabelImageType>;
+
+/** One whole run: the filter after Update(), and its wall time. */
+struct Run
+{
+  Pipeline::Pointer pipeline;
+  double            seconds{ 0.0 };
+};
+
+struct RunOptions
+{
+  int                   shells{ 10 };
+  MeshingStage          lastStage{ MeshingStage::Moser };
+  MeshingWay            way{ MeshingWay::Faithful }; ///< matters for MeshingStage::Exact only
+  bool                  smoothing{ true };
+  Pipeline::ShellMethod method{ Pipeline::ShellMethod::ChanVese };
+};
+
+/** A mesh that is not exact is accepted: the tables say so. */
+[[nodiscard]] Run
+runPipeline(const LabelImage & image, const RunOptions & runOptions);
+
+/** \throws std::runtime_error  the stage was not run */
+[[nodiscard]] const MeshingStageReport &
+stageOf(const Run & run, const std::string & stage);
+
+[[nodiscard]] const HexQualitySummary &
+qualityAfter(const Run & run, const std::string & stage);
+
+[[nodiscard]] std::string
+fixed(double value, int digits);
+
+/** Two significant digits, also for small numbers. */
+[[nodiscard]] std::string
+significant(double value);
+
+/** 0 for no values. */
+[[nodiscard]] double
+medianOf(std::vector<double> values);
+
+/** 0 for no values. */
+[[nodiscard]] double
+largestOf(const std::vector<double> & values);
+
+/** Labelmaps in a folder, sorted by name, at most `atMost` of them. */
+[[nodiscard]] std::vector<std::filesystem::path>
+imagesIn(const std::filesystem::path & folder, std::size_t atMost);
+
+[[nodiscard]] std::string
+caseName(const std::filesystem::path & file);
+
+} // namespace moserhex::results
