@@ -435,10 +435,30 @@ def figure_i(sample):
     save(figure, "I-flow.png")
 
 
+def figure_j(sample):
+    figure, panels = plt.subplots(2, 2, figsize=(8.8, 7.4), constrained_layout=True)
+    volumes, shapes = TwoSlopeNorm(0, -1, 1), TwoSlopeNorm(0.4, -0.2, 1.0)
+    for row, (stage, title) in zip(panels.T, (("moser", "stage I"), ("exact", "stage J, fast way"))):
+        mesh = sample.mesh(stage)
+        jacobian = files.scaled_jacobians(mesh)
+        variance = flow.volume_variance(mesh.nodes)
+        print(f"J: {title}: variance {variance:.3g}, concave {100 * np.mean(jacobian <= 0):.2f} %, "
+              f"scaled Jacobian smallest {jacobian.min():.3f}, median {np.median(jacobian):.3f}")
+        draw_slice(row[0], mesh, mesh.ratio, lambda v: plt.get_cmap("RdBu_r")(volumes(np.log2(np.maximum(v, 1e-3)) * 5)),
+                   coronal(mesh))
+        row[0].set_title(f"{title}\nvolume variance {variance:.2g}")
+        draw_slice(row[1], mesh, jacobian, lambda v: plt.get_cmap("RdYlBu")(shapes(v)), coronal(mesh))
+        row[1].set_title(f"scaled Jacobian: smallest {jacobian.min():.2f}, median {np.median(jacobian):.2f}")
+    colourbar = bar(figure, panels[0], ScalarMappable(volumes, "RdBu_r"), "cell volume / mean", [-1, 0, 1])
+    colourbar.ax.set_yticklabels([f"{2 ** power:.2f}" for power in (-0.2, 0, 0.2)])
+    bar(figure, panels[1], ScalarMappable(shapes, "RdYlBu"), "scaled Jacobian")
+    save(figure, "J-equalise.png")
+
+
 def figure_k(sample):
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.8, 3.2), constrained_layout=True)
     for stage, label, colour in (("initial", "initial map", "#e0a93b"), ("smoothed", "smoothed", "#4d9a7a"),
-                                 ("moser", "after the flow", "#2b5c94")):
+                                 ("moser", "after the flow", "#2b5c94"), ("exact", "exact", "#b3261e")):
         mesh = sample.mesh(stage)
         jacobian = files.scaled_jacobians(mesh)
         concave = 100 * np.mean(jacobian <= 0)
@@ -455,7 +475,7 @@ def figure_k(sample):
 # ---- the README's picture ---------------------------------------------------------------------------------------
 
 def figure_title(sample):
-    label, mesh = sample.labelmap(), sample.mesh("moser")
+    label, mesh = sample.labelmap(), sample.mesh("exact")
     basis = view_basis(EYE)
     figure = plt.figure(figsize=(12, 5))
     first = figure.add_axes([0.005, 0.03, 0.29, 0.84])
@@ -505,7 +525,7 @@ def draw_labelmap(axes, label, basis):
 
 
 FIGURES = {"A": figure_a, "B": figure_b, "C": figure_c, "D": figure_d, "E": figure_e, "F": figure_f, "G": figure_g,
-           "H": figure_h, "I": figure_i, "K": figure_k, "title": figure_title}
+           "H": figure_h, "I": figure_i, "J": figure_j, "K": figure_k, "title": figure_title}
 
 
 def main():

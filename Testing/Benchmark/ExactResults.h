@@ -16,10 +16,13 @@ struct ExactCase
   int                   shells{ 10 };
 };
 
-/** The default run (exact, fast way) of every case; then, when `ablation`, what each stage reaches on the same cases.
- */
+/** The default run (exact, fast way) of every case. */
 void
-writeExact(std::ostream & os, const std::vector<ExactCase> & cases, bool ablation);
+writeExact(std::ostream & os, const std::vector<ExactCase> & cases);
+
+/** What the chain reaches when it ends after each stage, and by the two ways to the exact mesh. */
+void
+writeAblation(std::ostream & os, const std::vector<ExactCase> & cases);
 
 /** The all-hexahedral mesh that gmsh makes of the same surfaces with about as many cells; says "not measured" when
  * there is no executable of that name. */

@@ -18,8 +18,8 @@ struct GmshMesh
 
 /** Hexahedra that gmsh, as a process of its own, makes inside a closed surface: the surface is given as STL and
  * remeshed, filled with tetrahedra of about cells / 4, and each of these is cut into four hexahedra
- * (Mesh.SubdivisionAlgorithm = 2).
- * \throws std::runtime_error  gmsh failed \throws BadInput  as readHexCells */
+ * (Mesh.SubdivisionAlgorithm = 2), new boundary nodes left on the triangles (Mesh.SecondOrderLinear = 1): moved onto
+ * the surface they turn some cells over. \throws std::runtime_error  gmsh failed \throws BadInput  as readHexCells */
 [[nodiscard]] GmshMesh
 gmshHexahedra(const TriangleMesh & surface, double volume, double cells);
 

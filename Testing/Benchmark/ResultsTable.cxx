@@ -8,8 +8,8 @@
 
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
-#include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -250,23 +250,12 @@ prostateCases(const std::vector<std::filesystem::path> & files)
 }
 
 void
-writeExactTables(std::ostream & os, const std::vector<std::filesystem::path> & prostates, const Arguments & arguments)
+writeExactHeading(std::ostream & os)
 {
-  // The growth's memory is the process's peak: nothing else must run before.
-  std::ostringstream growth;
-  if (arguments.growth)
-  {
-    writeGrowth(growth, prostates.at(prostates.size() / 2));
-  }
   os << "## Exact meshes: the default\n\n"
         "`--stage exact --way fast`, 8000 nodes, 6859 hexahedra (N = 10). Certified: det J > 0 in the whole cell, by\n"
         "Bezier coefficients. Volume error: mesh against voxels. Boundary: nodes and face centres to the conditioned\n"
         "surface. Times with reading and writing.\n\n";
-  writeExact(os, prostateCases(prostates), true);
-  writeGmsh(os, prostateCases(prostates));
-  os << "\n### Exact meshes of the classic shapes\n\nShells as in the paper's table 1, below.\n\n";
-  writeExact(os, classicCases(arguments.data / "classic", arguments.cases), false);
-  os << growth.str() << '\n';
 }
 
 void
@@ -348,10 +337,31 @@ writeResults(const Arguments & arguments)
        "Data: PI-CAI prostate segmentations (CC BY-NC 4.0, Saha et al., Lancet Oncol 2024) and classic shapes;\n"
        "neither is part of this repository. Volume variance, % concave and scaled Jacobian (SJ) as defined in\n"
        "`Modules/Core/Quality/README.md`.\n\n";
-  writeExactTables(text, prostates, arguments);
-  writeProstates(text, prostates);
-  writeClassics(text, arguments.data / "classic");
-  writeTextFile(arguments.output, text.str());
+  std::ostringstream growth;
+  if (arguments.growth) // the first to run, as its memory is the process's peak
+  {
+    writeGrowth(growth, prostates[prostates.size() / 2]);
+  }
+  const std::vector<ExactCase>                              cases = prostateCases(prostates);
+  const std::filesystem::path                               classics = arguments.data / "classic";
+  const std::vector<std::function<void(std::ostream & os)>> parts{
+    writeExactHeading,
+    [&](std::ostream & os) { writeExact(os, cases); },
+    [&](std::ostream & os) { writeAblation(os, cases); },
+    [&](std::ostream & os) { writeGmsh(os, cases); },
+    [&](std::ostream & os) {
+      os << "\n### Exact meshes of the classic shapes\n\nShells as in the paper's table 1, below.\n\n";
+      writeExact(os, classicCases(classics, arguments.cases));
+    },
+    [&](std::ostream & os) { os << growth.str() << '\n'; },
+    [&](std::ostream & os) { writeProstates(os, prostates); },
+    [&](std::ostream & os) { writeClassics(os, classics); },
+  };
+  for (const auto & part : parts) // a run that is interrupted leaves the parts that are done
+  {
+    part(text);
+    writeTextFile(arguments.output, text.str());
+  }
 }
 
 } // namespace

@@ -30,6 +30,7 @@ TEST_P(ClassicLabelmaps, GiveAMeshWithoutAFlippedTriangleOnAnyShell)
   auto             pipeline = itk::MassPreservingHexahedralMeshFilter<LabelImageType>::New();
   pipeline->SetInput(image.image);
   pipeline->SetLabel(chooseLabel(image, std::nullopt).value);
+  pipeline->SetLastStage(MeshingStage::Moser);
   ASSERT_NO_THROW(pipeline->Update());
   for (const AreaPreservingMapResult & map : pipeline->GetResult().sphereMaps)
   {
@@ -39,6 +40,14 @@ TEST_P(ClassicLabelmaps, GiveAMeshWithoutAFlippedTriangleOnAnyShell)
   }
   const auto & stages = pipeline->GetStages();
   EXPECT_LT(stages.back().quality->volumeVariance, 0.15);
+
+  pipeline->SetLastStage(MeshingStage::Exact);
+  ASSERT_NO_THROW(pipeline->Update());
+  const HexQualitySummary & quality = *pipeline->GetStages().back().quality;
+  EXPECT_LE(quality.volumeVariance, 1e-12);
+  EXPECT_EQ(quality.certified.positive, quality.cells);
+  EXPECT_GT(quality.scaledJacobian.minimum, 0.0);
+  EXPECT_NEAR(quality.volume / pipeline->GetLabelVolume(), 1.0, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Labelmaps,

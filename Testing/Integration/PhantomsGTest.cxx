@@ -61,6 +61,18 @@ TEST_P(Phantoms, GiveAMeshOfNearlyEqualCellsOnTheSurface)
   expectContract(analytic::labelVolume(GetParam()));
 }
 
+TEST_P(Phantoms, GiveAnExactMesh)
+{
+  PipelineOptions options;
+  options.lastStage = MeshingStage::Exact;
+  const Pipeline::Pointer   pipeline = runPipeline(labelImage(analytic::labelVolume(GetParam())), options);
+  const HexQualitySummary & quality = qualityAfter(*pipeline, "exact");
+  EXPECT_LE(quality.volumeVariance, 1e-12);
+  EXPECT_EQ(quality.certified.positive, quality.cells);
+  EXPECT_GT(quality.scaledJacobian.minimum, 0.0);
+  EXPECT_NEAR(quality.volume / pipeline->GetLabelVolume(), 1.0, 1e-9);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Phantoms, testing::ValuesIn(analytic::solids()), nameOf);
 
 TEST(ProstateSample, GivesAMeshOfNearlyEqualCellsOnTheSurface)

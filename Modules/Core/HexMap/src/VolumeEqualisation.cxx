@@ -46,7 +46,7 @@ constexpr double settlingGrowth = 4.0;
 /** Springs longer than this part of the tolerance are made stiffer by this factor a round. */
 constexpr double safePartOfTolerance = 0.8;
 /** phi is not quite a distance away from the surface: what is aimed at, part of the tolerance. */
-constexpr double aimedPartOfTolerance = 0.85;
+constexpr double aimedPartOfTolerance = 0.95;
 constexpr double springGrowth = 2.0;
 
 void

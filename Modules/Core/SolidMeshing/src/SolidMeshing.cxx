@@ -24,6 +24,9 @@ namespace moserhex
 namespace
 {
 
+/** Area ratio rms that is enough of a sphere map that only starts the optimisation [1]. */
+constexpr double fastAreaTolerance = 0.05;
+
 /** Newton steps that put a point near a level set onto it. */
 constexpr int projectionIterations = 4;
 /** The same for a point that may be a few grid edges away. */
@@ -340,9 +343,14 @@ meshSolid(const LevelSet &            ordering,
   const std::size_t count = surfaces.size();
   result.sphereMaps.resize(count);
   std::vector<Positions> maps(count);
+  AreaPreservingMapOptions sphereMap = options.sphereMap;
+  if (isFast(options))
+  {
+    sphereMap.areaTolerance = std::max(sphereMap.areaTolerance, fastAreaTolerance);
+  }
   parallelFor(count, options.threads, [&](std::size_t i) {
     const std::size_t k = count - 1 - i;
-    result.sphereMaps[k] = areaPreservingSphereMap(surfaces[k], options.sphereMap);
+    result.sphereMaps[k] = areaPreservingSphereMap(surfaces[k], sphereMap);
     maps[k] = std::move(result.sphereMaps[k].positions);
     result.sphereMaps[k].positions.clear();
   });

@@ -64,8 +64,10 @@ withShells(int shells, unsigned int threads = 0)
 
 TEST(MeshSolid, AnEllipsoidBecomesALatticeOfNearlyEqualCells)
 {
-  const OrderedSolid       solid = ellipsoid({ 15.0, 12.0, 10.0 }, 0.75);
-  const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, withShells(5));
+  const OrderedSolid  solid = ellipsoid({ 15.0, 12.0, 10.0 }, 0.75);
+  SolidMeshingOptions options = withShells(5);
+  options.lastStage = MeshingStage::Moser;
+  const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, options);
   ASSERT_EQ(result.mesh.nodesPerSide, 10);
   const HexQualitySummary & quality = *result.stages.back().quality;
   EXPECT_LE(quality.volumeVariance, 0.01);
@@ -77,18 +79,67 @@ TEST(MeshSolid, AnEllipsoidBecomesALatticeOfNearlyEqualCells)
   }
 }
 
-TEST(MeshSolid, StagesAreNamedInOrderAndCarryQualityFromTheInitialMapOn)
+namespace
 {
-  const OrderedSolid       solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
-  const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, withShells(3));
+
+/** Names of the stages; checks on the way that the meshes, and they only, carry quality. */
+std::vector<std::string>
+stageNames(const SolidMeshingResult & result)
+{
   std::vector<std::string> names;
   for (const MeshingStageReport & stage : result.stages)
   {
     names.push_back(stage.name);
     EXPECT_EQ(stage.quality.has_value(), names.size() > 2) << stage.name;
   }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{ "shell surfaces", "sphere maps", "initial map", "smoothing", "moser flow" }));
+  return names;
+}
+
+} // namespace
+
+TEST(MeshSolid, StagesAreNamedInOrderAndCarryQualityFromTheInitialMapOn)
+{
+  const OrderedSolid  solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
+  SolidMeshingOptions options = withShells(3);
+  options.way = MeshingWay::Faithful;
+  EXPECT_EQ(
+    stageNames(meshSolid(solid.ordering, solid.phi, solid.volume, options)),
+    (std::vector<std::string>{ "shell surfaces", "sphere maps", "initial map", "smoothing", "moser flow", "exact" }));
+  options.way = MeshingWay::Fast;
+  EXPECT_EQ(stageNames(meshSolid(solid.ordering, solid.phi, solid.volume, options)),
+            (std::vector<std::string>{ "shell surfaces", "sphere maps", "initial map", "exact" }));
+}
+
+TEST(MeshSolid, BothWaysMakeTheCellsOfAnEllipsoidEqual)
+{
+  const OrderedSolid  solid = ellipsoid({ 15.0, 12.0, 10.0 }, 0.75);
+  SolidMeshingOptions options = withShells(5);
+  for (const MeshingWay way : { MeshingWay::Fast, MeshingWay::Faithful })
+  {
+    options.way = way;
+    const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, options);
+    ASSERT_TRUE(result.equalisation);
+    EXPECT_TRUE(result.equalisation->exact);
+    const HexQualitySummary & quality = *result.stages.back().quality;
+    EXPECT_LE(quality.volumeVariance, 1e-18);
+    EXPECT_NEAR(quality.volume / solid.volume, 1.0, 1e-9);
+    EXPECT_EQ(quality.certified.positive, quality.cells);
+    EXPECT_LE(result.boundary.maximum, 0.5);
+  }
+}
+
+TEST(MeshSolid, AMeshThatIsNotExactIsThrownAwayUnlessAskedFor)
+{
+  const OrderedSolid  solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
+  SolidMeshingOptions options = withShells(3);
+  options.fallbackTurns.clear();
+  options.equalisation.surfaceTolerance = 1e-4; // the centres of curved quadrilaterals cannot be that near
+  EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, options), NotConverged);
+  options.allowPartial = true;
+  const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, options);
+  EXPECT_FALSE(result.equalisation->exact);
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings.back().find("mm off the surface"), std::string::npos) << result.warnings.back();
 }
 
 TEST(MeshSolid, TheResultIsTheSameForAnyNumberOfThreads)

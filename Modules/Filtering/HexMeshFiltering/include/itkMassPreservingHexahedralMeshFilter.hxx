@@ -74,41 +74,58 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   m_ConditioningReport = conditioning->GetReport();
   m_LabelVolume = conditioning->GetLabelVolume();
 
-  typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
-  ordering->SetInput(conditioning->GetOutput());
-  ordering->SetMethod(this->GetShellMethod());
-  ordering->SetNumberOfShells(moserhex::shellsToExtract(m_Options));
-  const double orderingSeconds = this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
+  double     orderingSeconds = 0.0;
+  const auto meshFrom = [&](ShellMethod method) {
+    typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
+    ordering->SetInput(conditioning->GetOutput());
+    ordering->SetMethod(method);
+    ordering->SetNumberOfShells(moserhex::shellsToExtract(m_Options));
+    orderingSeconds = this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
 
-  moserhex::SolidMeshingOptions options = m_Options;
-  options.threads = this->GetNumberOfWorkUnits();
-  options.volumeFractions = ordering->GetVolumeFractions();
-  const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
-  const moserhex::LevelSet order = LevelSetFromImage(ordering->GetOutput());
-  m_Result = RunCoreAlgorithm(
-    this,
-    [&](const moserhex::ProgressCallback & progress) {
-      std::optional<moserhex::LabelDensity> onLabel;
-      if (m_DensityImage)
-      {
-        onLabel = moserhex::densityOnLabel(ScalarVolumeFromImage(m_DensityImage.GetPointer()),
-                                           LabelVolumeFromImage(label.GetPointer(), m_Label),
-                                           options.threads);
-        options.density = &onLabel->density;
-      }
-      moserhex::SolidMeshingResult result = moserhex::meshSolid(order, phi, m_LabelVolume, options, progress);
-      if (onLabel)
-      {
-        result.warnings.insert(result.warnings.begin(), onLabel->warnings.begin(), onLabel->warnings.end());
-      }
-      return result;
-    },
-    afterOrdering,
-    1.0);
+    moserhex::SolidMeshingOptions options = m_Options;
+    options.threads = this->GetNumberOfWorkUnits();
+    options.volumeFractions = ordering->GetVolumeFractions();
+    const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
+    const moserhex::LevelSet order = LevelSetFromImage(ordering->GetOutput());
+    m_Result = RunCoreAlgorithm(
+      this,
+      [&](const moserhex::ProgressCallback & progress) {
+        std::optional<moserhex::LabelDensity> onLabel;
+        if (m_DensityImage)
+        {
+          onLabel = moserhex::densityOnLabel(ScalarVolumeFromImage(m_DensityImage.GetPointer()),
+                                             LabelVolumeFromImage(label.GetPointer(), m_Label),
+                                             options.threads);
+          options.density = &onLabel->density;
+        }
+        moserhex::SolidMeshingResult result = moserhex::meshSolid(order, phi, m_LabelVolume, options, progress);
+        if (onLabel)
+        {
+          result.warnings.insert(result.warnings.begin(), onLabel->warnings.begin(), onLabel->warnings.end());
+        }
+        return result;
+      },
+      afterOrdering,
+      1.0);
+    const std::vector<std::string> & warnings = ordering->GetReport().warnings;
+    m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
+  };
+  try
+  {
+    meshFrom(this->GetShellMethod());
+  }
+  catch (const NotConvergedError & error)
+  {
+    if (m_ShellMethod || this->GetShellMethod() == ShellMethod::ChanVese)
+    {
+      throw;
+    }
+    const std::string reason = error.GetDescription();
+    meshFrom(ShellMethod::ChanVese);
+    m_Result.warnings.push_back("shells from Chan-Vese fronts, as eikonal ones did not do: " + reason);
+  }
 
-  std::vector<std::string>         warnings = moserhex::warningsOf(m_ConditioningReport);
-  const std::vector<std::string> & orderingWarnings = ordering->GetReport().warnings;
-  warnings.insert(warnings.end(), orderingWarnings.begin(), orderingWarnings.end());
+  const std::vector<std::string> warnings = moserhex::warningsOf(m_ConditioningReport);
   m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
   const moserhex::MeshingStageReport first[2] = { { "conditioning", conditioningSeconds, {}, {} },
                                                   { "shell ordering", orderingSeconds, {}, {} } };

@@ -31,7 +31,7 @@ struct EqualisationOptions
   /** For a mesh that has the size wanted. When they do not make it exact it is taken back to a coarse lattice. */
   std::vector<EqualisationStage> directStages{ { 0.05, 20.0, 80.0, 60 }, { 0.02, 50.0, 80.0, 60 } };
 
-  int    repairRounds{ 10 }; ///< of pushing uncertified cells open and projecting again
+  int    repairRounds{ 16 }; ///< of pushing uncertified cells open and projecting again
   double repairMargin{
     0.03
   }; ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1

@@ -53,7 +53,7 @@ struct SolidMeshingOptions
   FramePlacementOptions framePlacement; ///< for LatticeFrame::Ridge; its thread count is replaced
   /** Turns about the patient's axes, both ways, that the fast way tries when the frame does not lead to an exact mesh
    * [degree]. */
-  std::vector<double> fallbackTurns{ 15.0, 30.0 };
+  std::vector<double> fallbackTurns{ 15.0 };
 
   ShellSurfaceOptions        surfaces;     ///< stage C; its thread count is replaced by `threads`
   AreaPreservingMapOptions   sphereMap;    ///< stages D, E
