@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Lanes.h"
+#include "LaneVector.h"
 #include "LatticeVector.h"
 
 namespace moserhex

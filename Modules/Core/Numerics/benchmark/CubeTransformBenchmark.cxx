@@ -25,7 +25,7 @@ applyToThreeComponents(benchmark::State & state, Basis basis, Engine engine)
   Eigen::VectorXd        fields = Eigen::VectorXd::LinSpaced(3 * points, -1.0, 1.0);
   for (auto _ : state)
   {
-    inverse.applyInPlace(fields, ComponentOrder::Interleaved, static_cast<unsigned int>(state.range(1)));
+    inverse.applyInPlace(fields, ComponentOrder::Stacked, static_cast<unsigned int>(state.range(1)));
     fields *= 1.0 / fields.norm();
     benchmark::DoNotOptimize(fields.data());
   }
@@ -63,7 +63,7 @@ void
 sizesOfEqualKind(benchmark::internal::Benchmark * benchmark)
 {
   benchmark->ArgNames({ "n", "threads" })->Unit(benchmark::kMillisecond)->UseRealTime();
-  for (const int n : { 16, 20, 64, 80, 100, 256 })
+  for (const int n : { 16, 20, 64, 80, 100, 160, 256, 320 })
   {
     benchmark->Args({ n - TShorter, 1 });
   }

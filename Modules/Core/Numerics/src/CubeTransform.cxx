@@ -1,6 +1,7 @@
 #include "moserhex/Numerics/CubeTransform.h"
 
 #include "LineTransform.h"
+#include "PanelKernels.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 
@@ -31,6 +32,20 @@ struct LineSet
   start(Eigen::Index line) const
   {
     return line % inner + line / inner * outerStep;
+  }
+
+  /** Neighbouring lines begin at neighbouring values. */
+  [[nodiscard]] bool
+  liesSideBySide() const
+  {
+    return inner >= count;
+  }
+
+  /** A line's values are neighbours, and lines begin in equal steps. */
+  [[nodiscard]] bool
+  isContiguous() const
+  {
+    return step == 1 && inner == 1;
   }
 };
 
@@ -113,44 +128,69 @@ requireSymbol(const Eigen::VectorXd & symbol, Eigen::Index n)
   }
 }
 
-/** Where each line of a panel begins. */
-using LineStarts = std::array<Eigen::Index, panelLanes>;
-
-LineStarts
-lineStarts(const LineSet & lines, Eigen::Index first, Eigen::Index count)
+/** Copies `count` lines from line `first` on into a panel, whose other rows become zero. */
+void
+load(LinePanel & panel, const double * values, const LineSet & lines, Eigen::Index first, Eigen::Index count)
 {
-  LineStarts starts{};
+  panel.bottomRows(panel.rows() - count).setZero();
+  const double * const start = values + lines.start(first);
+  if (lines.liesSideBySide())
+  {
+    for (Eigen::Index i = 0; i < panel.cols(); ++i)
+    {
+      std::copy_n(start + i * lines.step, count, panel.data() + i * panel.rows());
+    }
+    return;
+  }
+  if (lines.isContiguous())
+  {
+    transposeLines(start,
+                   static_cast<std::size_t>(lines.outerStep),
+                   static_cast<std::size_t>(count),
+                   static_cast<std::size_t>(panel.cols()),
+                   panel.data(),
+                   static_cast<std::size_t>(panel.rows()));
+    return;
+  }
   for (Eigen::Index lane = 0; lane < count; ++lane)
   {
-    starts[static_cast<std::size_t>(lane)] = lines.start(first + lane);
-  }
-  return starts;
-}
-
-void
-load(LinePanel & panel, const double * values, const LineStarts & starts, Eigen::Index step, Eigen::Index count)
-{
-  for (Eigen::Index i = 0; i < panel.cols(); ++i)
-  {
-    double * const       to = panel.data() + i * panel.rows();
-    const double * const from = values + i * step;
-    for (Eigen::Index lane = 0; lane < count; ++lane)
+    const double * const line = values + lines.start(first + lane);
+    for (Eigen::Index i = 0; i < panel.cols(); ++i)
     {
-      to[lane] = from[starts[static_cast<std::size_t>(lane)]];
+      panel(lane, i) = line[i * lines.step];
     }
   }
 }
 
+/** Copies `count` lines of a panel back. */
 void
-store(const LinePanel & panel, double * values, const LineStarts & starts, Eigen::Index step, Eigen::Index count)
+store(const LinePanel & panel, double * values, const LineSet & lines, Eigen::Index first, Eigen::Index count)
 {
-  for (Eigen::Index i = 0; i < panel.cols(); ++i)
+  double * const start = values + lines.start(first);
+  if (lines.liesSideBySide())
   {
-    const double * const from = panel.data() + i * panel.rows();
-    double * const       to = values + i * step;
-    for (Eigen::Index lane = 0; lane < count; ++lane)
+    for (Eigen::Index i = 0; i < panel.cols(); ++i)
     {
-      to[starts[static_cast<std::size_t>(lane)]] = from[lane];
+      std::copy_n(panel.data() + i * panel.rows(), count, start + i * lines.step);
+    }
+    return;
+  }
+  if (lines.isContiguous())
+  {
+    transposeLines(panel.data(),
+                   static_cast<std::size_t>(panel.rows()),
+                   static_cast<std::size_t>(panel.cols()),
+                   static_cast<std::size_t>(count),
+                   start,
+                   static_cast<std::size_t>(lines.outerStep));
+    return;
+  }
+  for (Eigen::Index lane = 0; lane < count; ++lane)
+  {
+    double * const line = values + lines.start(first + lane);
+    for (Eigen::Index i = 0; i < panel.cols(); ++i)
+    {
+      line[i * lines.step] = panel(lane, i);
     }
   }
 }
@@ -223,12 +263,11 @@ withPanel(Worker &        worker,
           const Body &    body)
 {
   const Eigen::Index count = std::min(panelLanes, lines.count - first);
-  const LineStarts   starts = lineStarts(lines, first, count);
-  worker.panel.resize(count + count % 2, n); // engines may take lines in pairs
-  worker.panel.bottomRows(count % 2).setZero();
-  load(worker.panel, values, starts, lines.step, count);
+  const Eigen::Index rows = (count + linesTogether - 1) / linesTogether * linesTogether;
+  worker.panel.resize(rows, n);
+  load(worker.panel, values, lines, first, count);
   body();
-  store(worker.panel, values, starts, lines.step, count);
+  store(worker.panel, values, lines, first, count);
 }
 
 /** Threads that are worth their start. */

@@ -231,10 +231,11 @@ makeFastLineTransform(int n, CubeTransform::Basis basis)
 bool
 fastLineTransformPays(int n, CubeTransform::Basis basis)
 {
-  // Time a value, measured with gemm for SSE2: dense 3 + n / 20 ns; fast 7 ns, and about 0.7 p ns more for each prime
-  // factor p that kissfft has no butterfly for.
-  constexpr int shortest = 120;
-  constexpr int perPrime = 15;
+  // Time a value there and back, measured in one run with the kernels for AVX-512: dense 20 + 0.4 n ns; fast 140 ns,
+  // and about 14 p ns more for each prime factor p that kissfft has no butterfly for. AVX2 makes the dense one slower
+  // by half.
+  constexpr int shortest = 240;
+  constexpr int perPrime = 35;
   const int     length = basis == CubeTransform::Basis::Cosine ? n : n + 1;
   int           required = shortest;
   int           rest = length;

@@ -9,8 +9,11 @@
 namespace moserhex
 {
 
-/** `lanes` lines of n values side by side: a row for each line. Column major, so that value i of all lines lies
- * together. */
+/** Engines take lines in multiples of this number. */
+constexpr Eigen::Index linesTogether = 8;
+
+/** `lanes` lines of n values side by side: a row for each line, a multiple of linesTogether. Column major, so that
+ * value i of all lines lies together. */
 using LinePanel = Eigen::MatrixXd;
 
 /** Transforms a panel's lines in place. An object carries its own scratch: one for each thread at work. */

@@ -292,11 +292,11 @@ TEST(CubeTransform, AutomaticIsDenseForSmallAndForPrimeSizesAndFastForLargeOnes)
   const auto engineOf = [](int n, Basis basis) { return CubeTransform(n, basis).engine(); };
   EXPECT_EQ(engineOf(20, Basis::Cosine), Engine::Dense);
   EXPECT_EQ(engineOf(64, Basis::Cosine), Engine::Dense);
-  EXPECT_EQ(engineOf(127, Basis::Cosine), Engine::Dense);
-  EXPECT_EQ(engineOf(128, Basis::Cosine), Engine::Fast);
+  EXPECT_EQ(engineOf(251, Basis::Cosine), Engine::Dense);
+  EXPECT_EQ(engineOf(256, Basis::Cosine), Engine::Fast);
   EXPECT_EQ(engineOf(19, Basis::Sine), Engine::Dense);
-  EXPECT_EQ(engineOf(126, Basis::Sine), Engine::Dense);
-  EXPECT_EQ(engineOf(127, Basis::Sine), Engine::Fast);
+  EXPECT_EQ(engineOf(250, Basis::Sine), Engine::Dense);
+  EXPECT_EQ(engineOf(255, Basis::Sine), Engine::Fast);
 }
 
 TEST(SpectralOperator, SymbolByFunctionIsTheSymbolByNumbers)

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "PanelKernels.h"
+
+#include <string>
+#include <vector>
+
+namespace moserhex::testing
+{
+
+/** The kernels compiled for one instruction set only. */
+struct PanelKernelsVariant
+{
+  std::string                name;
+  decltype(&multiplyColumns) multiply;
+  decltype(&foldColumns)     fold;
+  decltype(&unfoldColumns)   unfold;
+  decltype(&transposeLines)  transpose;
+};
+
+/** Those that this machine can run. */
+[[nodiscard]] std::vector<PanelKernelsVariant>
+panelKernelsVariants();
+
+} // namespace moserhex::testing
