@@ -2,13 +2,140 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace moserhex
 {
+namespace
+{
+
+/** Looks before a thread without work goes to sleep: some 20 us, the time it takes to wake one. */
+constexpr int looksBeforeSleep = 64;
+
+/** The process's helping threads. They are started when first asked for and then wait for work; at the end of the
+ * process they are left to the system, which a thread asleep does not mind. */
+class Crew
+{
+public:
+  static Crew &
+  instance()
+  {
+    static Crew * const crew = new Crew; // never destroyed: its threads are never joined
+    return *crew;
+  }
+
+  /** Runs work() here and, as far as there are free ones, on up to `helpers` other threads at the same time; returns
+   * when all calls have returned. work() must not throw. May be called from within work(). */
+  void
+  run(const std::function<void()> & work, std::size_t helpers)
+  {
+    Task task{ work, helpers };
+    offer(task);
+    work();
+    withdraw(task);
+  }
+
+private:
+  struct Task
+  {
+    Task(const std::function<void()> & work_, std::size_t places_) : work(work_), places(places_)
+    {}
+
+    const std::function<void()> & work;
+    std::size_t                   places;       // helpers that may still join; guarded by m_Mutex
+    std::atomic<std::size_t>      helpers{ 0 }; // at work
+  };
+
+  void
+  offer(Task & task)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_Mutex);
+      enlist(task.places);
+      m_Tasks.push_back(&task);
+      ++m_Offers;
+    }
+    if (task.places == 1)
+    {
+      m_Offered.notify_one();
+    }
+    else
+    {
+      m_Offered.notify_all();
+    }
+  }
+
+  void
+  withdraw(Task & task)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_Mutex);
+      m_Tasks.erase(std::find(m_Tasks.begin(), m_Tasks.end(), &task));
+    }
+    for (int look = 0; look < looksBeforeSleep && task.helpers > 0; ++look)
+    {
+      std::this_thread::yield();
+    }
+    std::unique_lock<std::mutex> lock(m_Mutex);
+    m_Left.wait(lock, [&] { return task.helpers == 0; });
+  }
+
+  /** Makes the crew at least that large. Where the system gives no more threads those there are have to do. */
+  void
+  enlist(std::size_t size)
+  {
+    try
+    {
+      for (; m_Size < size; ++m_Size)
+      {
+        std::thread([this] { help(); }).detach();
+      }
+    }
+    catch (const std::system_error &)
+    {}
+  }
+
+  [[noreturn]] void
+  help()
+  {
+    for (;;)
+    {
+      const std::size_t seen = m_Offers;
+      for (int look = 0; look < looksBeforeSleep && m_Offers == seen; ++look)
+      {
+        std::this_thread::yield();
+      }
+      std::unique_lock<std::mutex> lock(m_Mutex);
+      Task *                       task = nullptr;
+      m_Offered.wait(lock, [&] {
+        const auto open = std::find_if(m_Tasks.begin(), m_Tasks.end(), [](const Task * t) { return t->places > 0; });
+        task = open != m_Tasks.end() ? *open : nullptr;
+        return task != nullptr;
+      });
+      --task->places;
+      ++task->helpers;
+      lock.unlock();
+      task->work();
+      lock.lock();
+      --task->helpers;
+      m_Left.notify_all();
+    }
+  }
+
+  std::mutex               m_Mutex;
+  std::condition_variable  m_Offered;
+  std::condition_variable  m_Left;
+  std::vector<Task *>      m_Tasks;
+  std::atomic<std::size_t> m_Offers{ 0 };
+  std::size_t              m_Size{ 0 };
+};
+
+} // namespace
 
 unsigned int
 defaultThreadCount()
@@ -58,17 +185,7 @@ parallelFor(std::size_t count, unsigned int threads, const std::function<void(st
     }
   };
 
-  std::vector<std::thread> pool;
-  pool.reserve(workers - 1);
-  for (std::size_t t = 1; t < workers; ++t)
-  {
-    pool.emplace_back(work);
-  }
-  work();
-  for (std::thread & thread : pool)
-  {
-    thread.join();
-  }
+  Crew::instance().run(work, workers - 1);
   if (firstError)
   {
     std::rethrow_exception(firstError);

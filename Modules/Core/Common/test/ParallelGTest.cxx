@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
 #include <vector>
 
 using namespace moserhex;
@@ -36,6 +37,52 @@ TEST(ParallelFor, RethrowsTheExceptionOfAWorker)
                                }
                              }),
                  InvalidInput);
+  }
+}
+
+TEST(ParallelFor, WorksInsideItself)
+{
+  std::vector<std::vector<int>> visits(6, std::vector<int>(50, 0));
+  parallelFor(visits.size(), 3, [&](std::size_t row) {
+    parallelFor(visits[row].size(), 3, [&](std::size_t i) { ++visits[row][i]; });
+  });
+  for (const std::vector<int> & row : visits)
+  {
+    EXPECT_EQ(row, std::vector<int>(50, 1));
+  }
+}
+
+TEST(ParallelFor, WorksForCallersAtTheSameTime)
+{
+  std::vector<std::vector<int>> visits(4, std::vector<int>(20, 0));
+  std::vector<std::thread>      callers;
+  for (std::vector<int> & row : visits)
+  {
+    callers.emplace_back([&row] {
+      for (int repeat = 0; repeat < 500; ++repeat)
+      {
+        parallelFor(row.size(), 2, [&](std::size_t i) { ++row[i]; });
+      }
+    });
+  }
+  for (std::thread & caller : callers)
+  {
+    caller.join();
+  }
+  for (const std::vector<int> & row : visits)
+  {
+    EXPECT_EQ(row, std::vector<int>(20, 500));
+  }
+}
+
+TEST(ParallelFor, WorksAgainAfterAnException)
+{
+  for (int repeat = 0; repeat < 50; ++repeat)
+  {
+    EXPECT_THROW(parallelFor(10, 4, [](std::size_t) { throw InvalidInput("no"); }), InvalidInput);
+    std::vector<int> visits(10, 0);
+    parallelFor(visits.size(), 4, [&](std::size_t i) { ++visits[i]; });
+    EXPECT_EQ(visits, std::vector<int>(10, 1));
   }
 }
 

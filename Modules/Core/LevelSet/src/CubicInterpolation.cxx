@@ -1,8 +1,10 @@
 #include "moserhex/LevelSet/CubicInterpolation.h"
 
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/InstructionSets.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace moserhex
 {
@@ -30,6 +32,58 @@ stencilAt(const RegularGrid & grid, const Vector3 & index)
   return stencil;
 }
 
+/** Four neighbours along the first axis. */
+constexpr std::size_t taps = 4;
+using Row = double __attribute__((vector_size(8 * taps)));
+using Weights = std::array<double, taps>;
+
+/** Sums over the 16 rows of a stencil, which leave the four numbers along the first axis. */
+struct RowSums
+{
+  std::array<double, taps> values;
+  std::array<double, taps> alongSecond; // derivative with respect to the second index
+  std::array<double, taps> alongThird;
+};
+
+MOSERHEX_KERNEL void
+sumRows(const double *  first,
+        std::size_t     rowStride,
+        std::size_t     planeStride,
+        const Weights & second,
+        const Weights & secondDerivatives,
+        const Weights & third,
+        const Weights & thirdDerivatives,
+        RowSums &       sums)
+{
+  Row values{};
+  Row alongSecond{};
+  Row alongThird{};
+  for (std::size_t c = 0; c < taps; ++c)
+  {
+    Row plane{};
+    Row planeAlongSecond{};
+    for (std::size_t b = 0; b < taps; ++b)
+    {
+      Row row;
+      std::memcpy(&row, first + c * planeStride + b * rowStride, sizeof row);
+      plane += second[b] * row;
+      planeAlongSecond += secondDerivatives[b] * row;
+    }
+    values += third[c] * plane;
+    alongSecond += third[c] * planeAlongSecond;
+    alongThird += thirdDerivatives[c] * plane;
+  }
+  std::memcpy(sums.values.data(), &values, sizeof values);
+  std::memcpy(sums.alongSecond.data(), &alongSecond, sizeof alongSecond);
+  std::memcpy(sums.alongThird.data(), &alongThird, sizeof alongThird);
+}
+
+double
+weightedSum(const Weights & weights, const std::array<double, taps> & values)
+{
+  return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2] + weights[3] * values[3];
+}
+
 } // namespace
 
 CubicInterpolator::CubicInterpolator(const LevelSet & levelSet) : m_LevelSet(levelSet)
@@ -51,32 +105,19 @@ CubicInterpolator::at(const Vector3 & p) const
   const auto          wx = catmullRomWeights(stencil.fraction[0]);
   const auto          wy = catmullRomWeights(stencil.fraction[1]);
   const auto          wz = catmullRomWeights(stencil.fraction[2]);
-  const auto          dx = catmullRomDerivatives(stencil.fraction[0]);
-  const auto          dy = catmullRomDerivatives(stencil.fraction[1]);
-  const auto          dz = catmullRomDerivatives(stencil.fraction[2]);
-
-  double  value = 0.0;
-  Vector3 gradient = Vector3::Zero(); // with respect to the index
-  for (std::size_t c = 0; c < 4; ++c)
-  {
-    double planeValue = 0.0;
-    double planeX = 0.0;
-    double planeY = 0.0;
-    for (std::size_t b = 0; b < 4; ++b)
-    {
-      const double * row = m_LevelSet.values.data() + grid.nodeNumber(stencil.first[0],
-                                                                      stencil.first[1] + static_cast<int>(b),
-                                                                      stencil.first[2] + static_cast<int>(c));
-      const double   rowValue = wx[0] * row[0] + wx[1] * row[1] + wx[2] * row[2] + wx[3] * row[3];
-      const double   rowX = dx[0] * row[0] + dx[1] * row[1] + dx[2] * row[2] + dx[3] * row[3];
-      planeValue += wy[b] * rowValue;
-      planeX += wy[b] * rowX;
-      planeY += dy[b] * rowValue;
-    }
-    value += wz[c] * planeValue;
-    gradient += Vector3(wz[c] * planeX, wz[c] * planeY, dz[c] * planeValue);
-  }
-  return { value, m_ToIndex.transpose() * gradient };
+  RowSums             sums;
+  sumRows(m_LevelSet.values.data() + grid.nodeNumber(stencil.first[0], stencil.first[1], stencil.first[2]),
+          static_cast<std::size_t>(grid.size[0]),
+          static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]),
+          wy,
+          catmullRomDerivatives(stencil.fraction[1]),
+          wz,
+          catmullRomDerivatives(stencil.fraction[2]),
+          sums);
+  const Vector3 gradient(weightedSum(catmullRomDerivatives(stencil.fraction[0]), sums.values),
+                         weightedSum(wx, sums.alongSecond),
+                         weightedSum(wx, sums.alongThird)); // with respect to the index
+  return { weightedSum(wx, sums.values), m_ToIndex.transpose() * gradient };
 }
 
 double

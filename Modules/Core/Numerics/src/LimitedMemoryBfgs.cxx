@@ -39,7 +39,8 @@ requireOptions(const LimitedMemoryBfgsOptions & options)
   require(options.maximumTrials >= 1, "number of trials must be at least 1");
 }
 
-/** The inverse Hessian from the last pairs s = x' - x, y = g' - g. */
+/** The inverse Hessian from the last pairs s = x' - x, y = g' - g. Keeps H0 y of every pair as well, so that one
+ * product with H0 a step is enough: that of the gradient. */
 class InverseHessian
 {
 public:
@@ -59,31 +60,48 @@ public:
     m_Pairs.clear();
   }
 
+  /** Keeps a pair; `preconditioned` is H0 y. A pair that is all rounding, y.H0 y <= 0, is dropped. */
   void
-  add(Vector s, Vector y)
+  add(Vector s, Vector y, Vector preconditioned)
   {
     const double curvature = s.dot(y);
-    Vector       preconditioned = y;
-    precondition(preconditioned);
-    m_Scale = curvature / y.dot(preconditioned);
-    m_Pairs.push_back({ std::move(s), std::move(y), 1.0 / curvature });
+    const double squaredLength = y.dot(preconditioned);
+    if (!(squaredLength > 0.0))
+    {
+      return;
+    }
+    m_Scale = curvature / squaredLength;
+    m_Pairs.push_back({ std::move(s), std::move(y), std::move(preconditioned), 1.0 / curvature });
     if (m_Pairs.size() > m_Memory)
     {
       m_Pairs.pop_front();
     }
   }
 
+  /** H0 times a vector. */
   [[nodiscard]] Vector
-  times(const Vector & gradient) const
+  preconditioned(Vector v) const
   {
-    Vector              result = gradient;
+    if (m_Preconditioner)
+    {
+      m_Preconditioner(v);
+    }
+    return v;
+  }
+
+  /** Of the gradient g and H0 g. */
+  [[nodiscard]] Vector
+  times(const Vector & gradient, const Vector & preconditionedGradient) const
+  {
+    Vector              rest = gradient;
+    Vector              result = preconditionedGradient; // H0 times rest
     std::vector<double> alpha(m_Pairs.size());
     for (std::size_t p = m_Pairs.size(); p-- > 0;)
     {
-      alpha[p] = m_Pairs[p].rho * m_Pairs[p].s.dot(result);
-      result -= alpha[p] * m_Pairs[p].y;
+      alpha[p] = m_Pairs[p].rho * m_Pairs[p].s.dot(rest);
+      rest -= alpha[p] * m_Pairs[p].y;
+      result -= alpha[p] * m_Pairs[p].preconditioned;
     }
-    precondition(result);
     result *= m_Scale;
     for (std::size_t p = 0; p < m_Pairs.size(); ++p)
     {
@@ -97,17 +115,9 @@ private:
   {
     Vector s;
     Vector y;
+    Vector preconditioned; // H0 y
     double rho;
   };
-
-  void
-  precondition(Vector & v) const
-  {
-    if (m_Preconditioner)
-    {
-      m_Preconditioner(v);
-    }
-  }
 
   const PreconditionerInPlace & m_Preconditioner;
   std::size_t                   m_Memory;
@@ -138,15 +148,16 @@ minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
   Vector                  gradient(x.size());
   Vector                  trialGradient(x.size());
   double                  value = f(x, gradient);
-  double                  windowStart = value;
-  result.evaluations = 1;
   require(std::isfinite(value) && gradient.allFinite(), "the function is not finite at the start");
+  Vector preconditioned = inverseHessian.preconditioned(gradient);
+  double windowStart = value;
+  result.evaluations = 1;
 
   int & steps = result.report.steps;
   while (steps < options.maximumSteps)
   {
     reportProgress(progress, static_cast<double>(steps) / options.maximumSteps);
-    Vector direction = inverseHessian.times(gradient);
+    Vector direction = inverseHessian.times(gradient, preconditioned);
     double slope = -gradient.dot(direction);
     if (!(slope < 0.0) && !inverseHessian.isInitial())
     {
@@ -186,12 +197,14 @@ minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
     }
     Vector s = trial - x;
     Vector y = trialGradient - gradient;
+    Vector trialPreconditioned = inverseHessian.preconditioned(trialGradient);
     if (s.dot(y) > smallestCurvature * std::abs(slope))
     {
-      inverseHessian.add(std::move(s), std::move(y));
+      inverseHessian.add(std::move(s), std::move(y), trialPreconditioned - preconditioned);
     }
     x.swap(trial);
     gradient.swap(trialGradient);
+    preconditioned.swap(trialPreconditioned);
     value = trialValue;
     ++steps;
     if (steps % options.window == 0)

@@ -14,6 +14,8 @@ defaultThreadCount();
  *
  * Results must not depend on the order of execution: body(i) writes only what belongs to i. Sums over i are made by
  * the caller afterwards, in index order, so that every result is the same for any number of threads.
+ * The threads are kept from one call to the next: a call costs some microseconds. body may call parallelFor itself.
+ * After a fork the child has no helping threads and does the work alone.
  * Work is handed out dynamically, one index at a time: make an index a worthwhile piece of work (see
  * parallelForBlocks). The exception of the smallest failing index is rethrown after all threads have stopped. */
 void
