@@ -99,6 +99,7 @@ LatticeOptimiser::minimise(Eigen::VectorXd &         x,
   };
   LimitedMemoryBfgsOptions options;
   options.smallestDecrease = smallestDecrease;
+  options.threads = m_Threads;
   LimitedMemoryBfgsResult total;
   while (total.report.steps < stage.maximumSteps && !total.report.converged)
   {

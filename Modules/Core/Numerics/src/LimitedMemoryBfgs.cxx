@@ -1,6 +1,7 @@
 #include "moserhex/Numerics/LimitedMemoryBfgs.h"
 
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
 
 #include <algorithm>
@@ -39,13 +40,49 @@ requireOptions(const LimitedMemoryBfgsOptions & options)
   require(options.maximumTrials >= 1, "number of trials must be at least 1");
 }
 
-/** The inverse Hessian from the last pairs s = x' - x, y = g' - g. Keeps H0 y of every pair as well, so that one
- * product with H0 a step is enough: that of the gradient. */
+/** Entries of a vector in one piece of parallel work; sums are taken over pieces first. */
+constexpr std::size_t entriesPerBlock = 8192;
+
+/** Products of many vectors with one, read in a single pass. The same bits for any number of threads. */
+Vector
+innerProducts(const std::vector<const Vector *> & vectors, const Vector & other, unsigned int threads)
+{
+  const auto        size = static_cast<std::size_t>(other.size());
+  const std::size_t blocks = (size + entriesPerBlock - 1) / entriesPerBlock;
+  Eigen::MatrixXd   parts(static_cast<Eigen::Index>(vectors.size()), static_cast<Eigen::Index>(blocks));
+  parallelForBlocks(size, entriesPerBlock, threads, [&](std::size_t begin, std::size_t end) {
+    const auto first = static_cast<Eigen::Index>(begin);
+    const auto count = static_cast<Eigen::Index>(end - begin);
+    for (std::size_t v = 0; v < vectors.size(); ++v)
+    {
+      parts(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(begin / entriesPerBlock)) =
+        vectors[v]->segment(first, count).dot(other.segment(first, count));
+    }
+  });
+  Vector sums = Vector::Zero(parts.rows());
+  for (Eigen::Index block = 0; block < parts.cols(); ++block)
+  {
+    sums += parts.col(block);
+  }
+  return sums;
+}
+
+double
+innerProduct(const Vector & a, const Vector & b, unsigned int threads)
+{
+  return innerProducts({ &a }, b, threads)[0];
+}
+
+/** The inverse Hessian from the last pairs s = x' - x, y = g' - g.
+ *
+ * The two loops of algorithm 7.4 only ever combine H0 g, the H0 y and the s, with factors that follow from inner
+ * products among them. With the products s.y and y.H0 y of the pairs kept, and s.g and H0 y.g taken anew at every
+ * gradient, a step reads each kept vector twice and applies H0 once, to the gradient. */
 class InverseHessian
 {
 public:
-  InverseHessian(const PreconditionerInPlace & preconditioner, int memory)
-    : m_Preconditioner(preconditioner), m_Memory(static_cast<std::size_t>(memory))
+  InverseHessian(const PreconditionerInPlace & preconditioner, int memory, unsigned int threads)
+    : m_Preconditioner(preconditioner), m_Memory(memory), m_Threads(threads)
   {}
 
   [[nodiscard]] bool
@@ -58,27 +95,103 @@ public:
   restart()
   {
     m_Pairs.clear();
+    updateProducts();
   }
 
-  /** Keeps a pair; `preconditioned` is H0 y. A pair that is all rounding, y.H0 y <= 0, is dropped. */
+  /** The first gradient. */
   void
-  add(Vector s, Vector y, Vector preconditioned)
+  start(const Vector & gradient)
   {
-    const double curvature = s.dot(y);
-    const double squaredLength = y.dot(preconditioned);
-    if (!(squaredLength > 0.0))
+    m_Gradient = gradient;
+    m_Preconditioned = preconditioned(gradient);
+  }
+
+  /** The gradient after the step s. The pair is kept when its curvature s.y is above the bound. */
+  void
+  move(Vector s, const Vector & gradient, double smallestAcceptedCurvature)
+  {
+    const Vector before = m_Products;
+    const Vector y = gradient - m_Gradient;
+    Vector       image = preconditioned(gradient); // H0 g', then H0 y
+    m_Gradient = gradient;
+    m_Preconditioned.swap(image);
+    updateProducts();
+    const double curvature = innerProduct(s, y, m_Threads);
+    if (!(curvature > smallestAcceptedCurvature))
     {
       return;
     }
-    m_Scale = curvature / squaredLength;
-    m_Pairs.push_back({ std::move(s), std::move(y), std::move(preconditioned), 1.0 / curvature });
-    if (m_Pairs.size() > m_Memory)
+    image = m_Preconditioned - image;
+    const double squaredLength = innerProduct(y, image, m_Threads);
+    if (!(squaredLength > 0.0)) // all rounding
     {
-      m_Pairs.pop_front();
+      return;
     }
+    const Vector change = m_Products - before; // s.y and H0 y.y of the pairs with the new y
+    m_Scale = curvature / squaredLength;
+    m_Pairs.push_back({ std::move(s), std::move(image), curvature, {}, {} });
+    Pair &     latest = m_Pairs.back();
+    const auto older = static_cast<Eigen::Index>(m_Pairs.size()) - 1;
+    latest.olderSteps = change.head(older);
+    latest.images = change.tail(older);
+    latest.images.conservativeResize(older + 1);
+    latest.images[older] = squaredLength;
+    if (m_Pairs.size() > static_cast<std::size_t>(m_Memory))
+    {
+      forgetOldest();
+    }
+    updateProducts();
   }
 
-  /** H0 times a vector. */
+  /** Times the gradient. */
+  [[nodiscard]] Vector
+  timesGradient() const
+  {
+    const auto count = static_cast<Eigen::Index>(m_Pairs.size());
+    Vector     alpha = Vector::Zero(count);
+    for (Eigen::Index p = count; p-- > 0;)
+    {
+      double product = m_Products[p];
+      for (Eigen::Index newer = p + 1; newer < count; ++newer)
+      {
+        product -= alpha[newer] * pair(newer).olderSteps[p];
+      }
+      alpha[p] = product / pair(p).curvature;
+    }
+    Vector ofSteps = Vector::Zero(count);
+    for (Eigen::Index p = 0; p < count; ++p)
+    {
+      double product = m_Products[count + p];
+      for (Eigen::Index other = 0; other < count; ++other)
+      {
+        product -= alpha[other] * pair(std::max(p, other)).images[std::min(p, other)];
+      }
+      product *= m_Scale;
+      for (Eigen::Index older = 0; older < p; ++older)
+      {
+        product += ofSteps[older] * pair(p).olderSteps[older];
+      }
+      ofSteps[p] = alpha[p] - product / pair(p).curvature;
+    }
+    return combination(alpha, ofSteps);
+  }
+
+private:
+  struct Pair
+  {
+    Vector s;
+    Vector image;      // H0 y
+    double curvature;  // s.y
+    Vector olderSteps; // s.y with the s of the older pairs and this y
+    Vector images;     // y.H0 y with this y and the older ones, and its own
+  };
+
+  [[nodiscard]] const Pair &
+  pair(Eigen::Index index) const
+  {
+    return m_Pairs[static_cast<std::size_t>(index)];
+  }
+
   [[nodiscard]] Vector
   preconditioned(Vector v) const
   {
@@ -89,40 +202,62 @@ public:
     return v;
   }
 
-  /** Of the gradient g and H0 g. */
-  [[nodiscard]] Vector
-  times(const Vector & gradient, const Vector & preconditionedGradient) const
+  /** s.g of every pair, then H0 y.g of every pair. */
+  void
+  updateProducts()
   {
-    Vector              rest = gradient;
-    Vector              result = preconditionedGradient; // H0 times rest
-    std::vector<double> alpha(m_Pairs.size());
-    for (std::size_t p = m_Pairs.size(); p-- > 0;)
+    std::vector<const Vector *> vectors;
+    for (const Pair & p : m_Pairs)
     {
-      alpha[p] = m_Pairs[p].rho * m_Pairs[p].s.dot(rest);
-      rest -= alpha[p] * m_Pairs[p].y;
-      result -= alpha[p] * m_Pairs[p].preconditioned;
+      vectors.push_back(&p.s);
     }
-    result *= m_Scale;
-    for (std::size_t p = 0; p < m_Pairs.size(); ++p)
+    for (const Pair & p : m_Pairs)
     {
-      result += (alpha[p] - m_Pairs[p].rho * m_Pairs[p].y.dot(result)) * m_Pairs[p].s;
+      vectors.push_back(&p.image);
     }
+    m_Products = innerProducts(vectors, m_Gradient, m_Threads);
+  }
+
+  void
+  forgetOldest()
+  {
+    m_Pairs.pop_front();
+    for (Pair & p : m_Pairs)
+    {
+      const Eigen::Index older = p.olderSteps.size() - 1;
+      p.olderSteps = Vector(p.olderSteps.tail(older));
+      p.images = Vector(p.images.tail(older + 1));
+    }
+  }
+
+  /** scale (H0 g - sum of alpha H0 y) + sum of ofSteps s. */
+  [[nodiscard]] Vector
+  combination(const Vector & alpha, const Vector & ofSteps) const
+  {
+    Vector result(m_Gradient.size());
+    parallelForBlocks(
+      static_cast<std::size_t>(result.size()), entriesPerBlock, m_Threads, [&](std::size_t begin, std::size_t end) {
+        const auto first = static_cast<Eigen::Index>(begin);
+        const auto count = static_cast<Eigen::Index>(end - begin);
+        auto       part = result.segment(first, count);
+        part = m_Scale * m_Preconditioned.segment(first, count);
+        for (Eigen::Index p = 0; p < alpha.size(); ++p)
+        {
+          part +=
+            ofSteps[p] * pair(p).s.segment(first, count) - m_Scale * alpha[p] * pair(p).image.segment(first, count);
+        }
+      });
     return result;
   }
 
-private:
-  struct Pair
-  {
-    Vector s;
-    Vector y;
-    Vector preconditioned; // H0 y
-    double rho;
-  };
-
   const PreconditionerInPlace & m_Preconditioner;
-  std::size_t                   m_Memory;
+  int                           m_Memory;
+  unsigned int                  m_Threads;
   std::deque<Pair>              m_Pairs;
   double                        m_Scale{ 1.0 };
+  Vector                        m_Gradient;
+  Vector                        m_Preconditioned; // H0 g
+  Vector                        m_Products;
 };
 
 /** Where the parabola through f, its slope and the value at `step` is lowest, kept within [0.1, 0.5] of the step. */
@@ -144,12 +279,12 @@ minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
   requireOptions(options);
   const Stopwatch         stopwatch;
   LimitedMemoryBfgsResult result;
-  InverseHessian          inverseHessian(preconditioner, options.memory);
+  InverseHessian          inverseHessian(preconditioner, options.memory, options.threads);
   Vector                  gradient(x.size());
   Vector                  trialGradient(x.size());
   double                  value = f(x, gradient);
   require(std::isfinite(value) && gradient.allFinite(), "the function is not finite at the start");
-  Vector preconditioned = inverseHessian.preconditioned(gradient);
+  inverseHessian.start(gradient);
   double windowStart = value;
   result.evaluations = 1;
 
@@ -157,7 +292,7 @@ minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
   while (steps < options.maximumSteps)
   {
     reportProgress(progress, static_cast<double>(steps) / options.maximumSteps);
-    Vector direction = inverseHessian.times(gradient, preconditioned);
+    Vector direction = inverseHessian.timesGradient();
     double slope = -gradient.dot(direction);
     if (!(slope < 0.0) && !inverseHessian.isInitial())
     {
@@ -195,16 +330,9 @@ minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
       inverseHessian.restart();
       continue;
     }
-    Vector s = trial - x;
-    Vector y = trialGradient - gradient;
-    Vector trialPreconditioned = inverseHessian.preconditioned(trialGradient);
-    if (s.dot(y) > smallestCurvature * std::abs(slope))
-    {
-      inverseHessian.add(std::move(s), std::move(y), trialPreconditioned - preconditioned);
-    }
+    inverseHessian.move(trial - x, trialGradient, smallestCurvature * std::abs(slope));
     x.swap(trial);
     gradient.swap(trialGradient);
-    preconditioned.swap(trialPreconditioned);
     value = trialValue;
     ++steps;
     if (steps % options.window == 0)

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -84,6 +85,45 @@ steps(int maximum)
   options.maximumSteps = maximum;
   options.smallestDecrease = 0.0;
   return options;
+}
+
+/** Algorithm 7.4 as the book has it, with full steps: the k-th iterate. */
+VectorXd
+bookIterate(const DifferentiableFunction & f, VectorXd x, const PreconditionerInPlace & inverse, int k, int memory)
+{
+  std::vector<VectorXd> s;
+  std::vector<VectorXd> y;
+  VectorXd              gradient(x.size());
+  f(x, gradient);
+  for (int step = 0; step < k; ++step)
+  {
+    const std::size_t   first = s.size() - std::min(s.size(), static_cast<std::size_t>(memory));
+    VectorXd            q = gradient;
+    std::vector<double> alpha(s.size());
+    for (std::size_t p = s.size(); p-- > first;)
+    {
+      alpha[p] = s[p].dot(q) / s[p].dot(y[p]);
+      q -= alpha[p] * y[p];
+    }
+    inverse(q);
+    if (!s.empty())
+    {
+      VectorXd image = y.back();
+      inverse(image);
+      q *= s.back().dot(y.back()) / y.back().dot(image);
+    }
+    for (std::size_t p = first; p < s.size(); ++p)
+    {
+      q += (alpha[p] - y[p].dot(q) / s[p].dot(y[p])) * s[p];
+    }
+    VectorXd next(x.size());
+    f(x - q, next);
+    s.emplace_back(-q);
+    y.emplace_back(next - gradient);
+    x -= q;
+    gradient = next;
+  }
+  return x;
 }
 
 void
@@ -249,6 +289,38 @@ TEST(LimitedMemoryBfgs, CallbackCancels)
   EXPECT_THROW((void)minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(50), [&](double) { return ++calls < 4; }),
                Cancelled);
   EXPECT_EQ(calls, 4);
+}
+
+TEST(LimitedMemoryBfgs, IteratesAreThoseOfTheTwoLoops)
+{
+  const Quadratic f;
+  const auto      inverse = [approximate = f.inverse(0.5)](VectorXd & v) {
+    const VectorXd exact = v;
+    approximate(v);
+    v += 0.002 * exact; // near enough that full steps are taken, and not the inverse itself
+  };
+  LimitedMemoryBfgsOptions options = steps(0);
+  options.memory = 3;
+  for (const int k : { 1, 2, 3, 4, 7, 9 })
+  {
+    options.maximumSteps = k;
+    VectorXd       x = VectorXd::Zero(size);
+    const VectorXd expected = bookIterate(f, x, inverse, k, options.memory);
+    const auto     result = minimiseByLimitedMemoryBfgs(f, x, inverse, options);
+    ASSERT_EQ(result.evaluations, k + 1) << "a step was shortened";
+    EXPECT_LE((x - expected).norm(), 1e-11 * expected.norm()) << k;
+  }
+}
+
+TEST(LimitedMemoryBfgs, ThreadsDoNotChangeABit)
+{
+  VectorXd first = rosenbrockStart(20000);
+  VectorXd second = first;
+  auto     options = steps(12);
+  (void)minimiseByLimitedMemoryBfgs(rosenbrock, first, {}, options);
+  options.threads = 3;
+  (void)minimiseByLimitedMemoryBfgs(rosenbrock, second, {}, options);
+  EXPECT_TRUE(first == second);
 }
 
 TEST(LimitedMemoryBfgs, TwoRunsAreTheSame)

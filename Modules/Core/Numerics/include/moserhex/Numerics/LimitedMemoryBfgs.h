@@ -11,12 +11,13 @@ namespace moserhex
 
 struct LimitedMemoryBfgsOptions
 {
-  int    maximumSteps{ 100 };
-  int    memory{ 8 };                  ///< pairs kept, at least 1
-  int    window{ 10 };                 ///< the decrease is judged over so many steps
-  double smallestDecrease{ 1e-5 };     ///< done when f falls by less than this part of |f| within a window [1]
-  double sufficientDecrease{ 1e-4 };   ///< Armijo's constant [1]
-  int    maximumTrials{ 25 };          ///< of one line search
+  int          maximumSteps{ 100 };
+  int          memory{ 8 };                ///< pairs kept, at least 1
+  int          window{ 10 };               ///< the decrease is judged over so many steps
+  double       smallestDecrease{ 1e-5 };   ///< done when f falls by less than this part of |f| within a window [1]
+  double       sufficientDecrease{ 1e-4 }; ///< Armijo's constant [1]
+  int          maximumTrials{ 25 };        ///< of one line search
+  unsigned int threads{ 1 };               ///< for the method's own sums; the result does not depend on it
 };
 
 struct LimitedMemoryBfgsResult
@@ -24,7 +25,7 @@ struct LimitedMemoryBfgsResult
   double     value{ 0.0 };        ///< f at the end
   double     gradientNorm{ 0.0 }; ///< Euclidean
   int        evaluations{ 0 };
-  StepReport report;              ///< residual: decrease of f over the last window, relative [1]
+  StepReport report; ///< residual: decrease of f over the last window, relative [1]
 };
 
 /** f and its gradient at a point; the gradient comes in with the point's size, contents undefined. May return a number
