@@ -1,6 +1,11 @@
 #include "moserhex/Geometry/HexMesh.h"
 
+#include "moserhex/Common/Errors.h"
+
 #include <Eigen/Geometry>
+
+#include <algorithm>
+#include <string>
 
 namespace moserhex
 {
@@ -24,6 +29,24 @@ HexMesh::cellNodes(std::size_t cell) const
   const std::size_t base = i + n * (j + n * k);
   const std::size_t up = n * n;
   return { base, base + 1, base + 1 + n, base + n, base + up, base + 1 + up, base + 1 + n + up, base + n + up };
+}
+
+void
+requireValid(const HexMesh & mesh)
+{
+  const auto n = static_cast<std::size_t>(std::max(mesh.nodesPerSide, 0));
+  if (n < 2 || mesh.nodes.size() != n * n * n)
+  {
+    throw InvalidInput("hexahedral mesh with " + std::to_string(mesh.nodes.size()) + " nodes and " +
+                       std::to_string(mesh.nodesPerSide) + " a side, must be n^3 nodes with n >= 2");
+  }
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+  {
+    if (!mesh.nodes[node].allFinite())
+    {
+      throw InvalidInput("node " + std::to_string(node) + " has a coordinate that is not finite");
+    }
+  }
 }
 
 HexCorners

@@ -1,11 +1,15 @@
 // Round-off class (1e-12 relative): the volume is a polynomial of the corners and every check has a closed form.
 #include "moserhex/Geometry/HexMesh.h"
 
+#include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Random.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+
+#include <limits>
+#include <string>
 
 using namespace moserhex;
 
@@ -130,4 +134,32 @@ TEST(HexMesh, CellNodesFollowTheLatticeOrder)
   const std::array<std::size_t, 8> expected{ 42, 43, 47, 46, 58, 59, 63, 62 };
   EXPECT_EQ(mesh.cellNodes(26), expected);
   EXPECT_EQ(mesh.cellNodes(0)[6], mesh.nodeNumber(1, 1, 1));
+}
+
+TEST(HexMesh, LatticeOfAnotherNumberOfNodesIsRefused)
+{
+  EXPECT_NO_THROW(requireValid(unitLattice(2)));
+  HexMesh mesh = unitLattice(3);
+  mesh.nodes.pop_back();
+  EXPECT_THROW(requireValid(mesh), InvalidInput);
+  EXPECT_THROW(requireValid(HexMesh{ 1, { Vector3::Zero() } }), InvalidInput);
+  EXPECT_THROW(requireValid(HexMesh{ -2, unitLattice(2).nodes }), InvalidInput);
+}
+
+TEST(HexMesh, NodeThatIsNotFiniteIsRefusedByItsNumber)
+{
+  for (const double value : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    HexMesh mesh = unitLattice(3);
+    mesh.nodes[17].y() = value;
+    try
+    {
+      requireValid(mesh);
+      ADD_FAILURE() << value;
+    }
+    catch (const InvalidInput & error)
+    {
+      EXPECT_NE(std::string(error.what()).find("node 17 "), std::string::npos) << error.what();
+    }
+  }
 }

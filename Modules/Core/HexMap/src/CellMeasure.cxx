@@ -1,7 +1,7 @@
 #include "moserhex/HexMap/CellMeasure.h"
 
 #include "CellLoop.h"
-#include "LatticeNodes.h"
+#include "moserhex/Common/Errors.h"
 
 #include <Eigen/Geometry>
 
@@ -107,7 +107,7 @@ measureEquality(const std::vector<double> & measures)
 MeasureEquality
 measureEquality(const HexMesh & mesh, const CellMeasure & measure, unsigned int threads)
 {
-  lattice::requireMesh(mesh);
+  requireValid(mesh);
   std::vector<double> measures;
   measure.evaluate(mesh, threads, measures);
   return measureEquality(measures);

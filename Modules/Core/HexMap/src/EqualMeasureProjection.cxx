@@ -1,13 +1,14 @@
 #include "moserhex/HexMap/EqualMeasureProjection.h"
 
-#include "LatticeNodes.h"
 #include "LatticeVector.h"
 #include "SurfaceAttraction.h"
+#include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/Numerics/CubeTransform.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace moserhex
@@ -251,19 +252,16 @@ projectOntoEqualMeasure(const HexMesh &             mesh,
                         const ProgressCallback &    progress)
 {
   requireOptions(options, target);
-  lattice::requireMesh(mesh);
+  requireValid(mesh);
   const Stopwatch     stopwatch;
   const LatticeLayout layout(mesh.nodesPerSide);
   SurfaceAttraction   boundary(layout, phi, options.threads);
   NormalEquations     equations(layout, options);
 
   // Any length will do as unit; the edge of a mean cell makes A M A^T that of the uniform lattice.
-  double total = 0.0;
-  for (const double volume : cellVolumes(mesh))
-  {
-    total += volume;
-  }
-  const double unit = std::cbrt(std::abs(total) / static_cast<double>(mesh.cellCount()));
+  const std::vector<double> volumes = cellVolumes(mesh);
+  const double              total = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  const double              unit = std::cbrt(std::abs(total) / static_cast<double>(mesh.cellCount()));
 
   EqualMeasureResult result;
   HexMesh            present = mesh;

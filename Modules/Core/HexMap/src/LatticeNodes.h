@@ -1,10 +1,8 @@
 #pragma once
 
-#include "moserhex/Common/Errors.h"
 #include "moserhex/Geometry/HexMesh.h"
 
 #include <array>
-#include <string>
 
 namespace moserhex::lattice
 {
@@ -76,25 +74,6 @@ neighbourMean(const HexMesh & mesh, const Index3 & at)
     }
   }
   return sum / count;
-}
-
-/** \throws InvalidInput unless the mesh has n^3 finite nodes, n >= 2 */
-inline void
-requireMesh(const HexMesh & mesh)
-{
-  const auto n = static_cast<std::size_t>(mesh.nodesPerSide < 0 ? 0 : mesh.nodesPerSide);
-  if (n < 2 || mesh.nodes.size() != n * n * n)
-  {
-    throw InvalidInput("hexahedral mesh with " + std::to_string(mesh.nodes.size()) + " nodes and " +
-                       std::to_string(mesh.nodesPerSide) + " a side, must be n^3 nodes with n >= 2");
-  }
-  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-  {
-    if (!mesh.nodes[node].allFinite())
-    {
-      throw InvalidInput("node " + std::to_string(node) + " has a coordinate that is not finite");
-    }
-  }
 }
 
 } // namespace moserhex::lattice

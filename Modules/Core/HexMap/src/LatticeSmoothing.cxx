@@ -4,6 +4,7 @@
 #include "GuardedSmoothing.h"
 #include "HarmonicExtension.h"
 #include "LatticeNodes.h"
+#include "moserhex/Common/Errors.h"
 
 #include <cmath>
 
@@ -63,7 +64,7 @@ HexMesh
 smoothLattice(const HexMesh & mesh, const SurfaceProjection & projection, const LatticeSmoothingOptions & options)
 {
   requireOptions(options);
-  lattice::requireMesh(mesh);
+  requireValid(mesh);
 
   HexMesh result = mesh;
   if (projection)

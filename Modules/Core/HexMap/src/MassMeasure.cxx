@@ -1,7 +1,7 @@
 #include "moserhex/HexMap/MassMeasure.h"
 
 #include "CellLoop.h"
-#include "LatticeNodes.h"
+#include "moserhex/Common/Errors.h"
 
 #include <Eigen/Geometry>
 
@@ -195,7 +195,7 @@ MassMeasure::evaluate(const HexMesh &       mesh,
 double
 MassMeasure::estimateError(const HexMesh & mesh, unsigned int threads) const
 {
-  lattice::requireMesh(mesh);
+  requireValid(mesh);
   const MassMeasure   finer(m_Density, { nextFiner(m_Options.pointsPerAxis) });
   std::vector<double> masses;
   std::vector<double> finerMasses;
@@ -211,7 +211,7 @@ chooseMassQuadrature(const HexMesh & mesh, const Density & density, double relat
   {
     throw InvalidInput("mass quadrature: relative accuracy " + std::to_string(relativeAccuracy) + ", need positive");
   }
-  lattice::requireMesh(mesh);
+  requireValid(mesh);
   MassQuadrature      quadrature{ { fewestPoints }, 0.0, false };
   std::vector<double> masses;
   MassMeasure(density, quadrature.options).evaluate(mesh, threads, masses);

@@ -1,8 +1,8 @@
 #include "moserhex/HexMap/VolumeEqualisation.h"
 
-#include "LatticeNodes.h"
 #include "LatticeOptimiser.h"
 #include "LatticeRefinement.h"
+#include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/Quality/HexQuality.h"
 #include "moserhex/Quality/JacobianBounds.h"
@@ -505,7 +505,7 @@ equaliseMeasures(const HexMesh &             start,
                  const EqualisationOptions & options,
                  const ProgressCallback &    progress)
 {
-  lattice::requireMesh(start);
+  requireValid(start);
   require(volume > 0.0 && std::isfinite(volume), "the volume must be positive and finite");
   require(total > 0.0 && std::isfinite(total), "the total must be positive and finite");
   require(static_cast<bool>(phi), "a surface is needed");

@@ -2,11 +2,13 @@
 
 #include "LatticeNodes.h"
 #include "MoserVelocity.h"
+#include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/Quality/HexQuality.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace moserhex
 {
@@ -43,17 +45,6 @@ requireOptions(const VolumetricMoserFlowOptions & options)
   {
     fail("weight of concave cells", options.concaveWeight, "at least 0 and finite");
   }
-}
-
-double
-sumOf(const std::vector<double> & values)
-{
-  double sum = 0.0;
-  for (const double value : values)
-  {
-    sum += value;
-  }
-  return sum;
 }
 
 /** f at a point of the lattice, trilinear between the nodes. */
@@ -131,8 +122,9 @@ volumetricMoserFlow(const HexMesh &                    mesh,
                     const ProgressCallback &           progress)
 {
   requireOptions(options);
-  lattice::requireMesh(mesh);
-  const double volume = sumOf(cellVolumes(mesh));
+  requireValid(mesh);
+  const std::vector<double> startVolumes = cellVolumes(mesh);
+  const double              volume = std::accumulate(startVolumes.begin(), startVolumes.end(), 0.0);
   if (!(volume > 0.0))
   {
     throw InvalidInput("volume of the mesh " + std::to_string(volume) + " mm^3, must be positive");
@@ -158,7 +150,7 @@ volumetricMoserFlow(const HexMesh &                    mesh,
       current = smoothLattice(current, projection, options.smoothingBetweenPasses);
     }
     const std::vector<double> volumes = cellVolumes(current);
-    if (!(sumOf(volumes) > 0.0))
+    if (!(std::accumulate(volumes.begin(), volumes.end(), 0.0) > 0.0))
     {
       result.report.note = "stopped: smoothing turned the mesh inside out";
       break;

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
+#include <numeric>
 
 namespace moserhex
 {
@@ -170,24 +170,6 @@ private:
   std::size_t           m_Ordered{ 0 }; ///< nothing behind is smaller than what lies before this rank
 };
 
-void
-requireLattice(const HexMesh & mesh)
-{
-  const auto n = static_cast<std::size_t>(std::max(mesh.nodesPerSide, 0));
-  if (n < 2 || mesh.nodes.size() != n * n * n)
-  {
-    throw InvalidInput("hexahedral mesh with " + std::to_string(mesh.nodes.size()) + " nodes and " +
-                       std::to_string(mesh.nodesPerSide) + " a side, must be n^3 nodes with n >= 2");
-  }
-  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-  {
-    if (!mesh.nodes[node].allFinite())
-    {
-      throw InvalidInput("node " + std::to_string(node) + " has a coordinate that is not finite");
-    }
-  }
-}
-
 /** How many of the cube's faces a cell touches: 0 to 3. A lattice of one cell touches all, counted as a corner. */
 int
 facesTouched(const HexMesh & mesh, std::size_t cell)
@@ -235,17 +217,6 @@ private:
 };
 
 double
-sumOf(const std::vector<double> & values)
-{
-  double sum = 0.0;
-  for (const double value : values)
-  {
-    sum += value;
-  }
-  return sum;
-}
-
-double
 varianceAboutMean(const std::vector<double> & volumes, double mean)
 {
   double sum = 0.0;
@@ -288,7 +259,7 @@ summaryOf(const std::vector<HexCellQuality> & cells)
   const std::vector<double> volumes = collect(cells, [](const HexCellQuality & cell) { return cell.volume; });
   HexQualitySummary         summary;
   summary.cells = cells.size();
-  summary.volume = sumOf(volumes);
+  summary.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   const double mean = summary.volume / static_cast<double>(summary.cells);
   summary.volumeVariance = varianceAboutMean(volumes, mean);
   const auto extremes = std::minmax_element(volumes.begin(), volumes.end());
@@ -332,7 +303,7 @@ distributionOf(std::vector<double> values)
     throw InvalidInput("distribution of no values");
   }
   Distribution distribution;
-  distribution.mean = sumOf(values) / static_cast<double>(values.size());
+  distribution.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   OrderStatistics statistics(values);
   distribution.minimum = statistics.percentile(0.0);
   distribution.p01 = statistics.percentile(0.01);
@@ -347,7 +318,7 @@ distributionOf(std::vector<double> values)
 HexQualitySummary
 summarizeQuality(const HexMesh & mesh, unsigned int threads)
 {
-  requireLattice(mesh);
+  requireValid(mesh);
   const std::vector<HexCellQuality> cells = cellQualities(mesh, threads);
   HexQualitySummary                 summary = summaryOf(cells);
   summary.certified = certifyCells(mesh, {}, threads);
@@ -383,7 +354,8 @@ volumeQuality(const HexMesh & mesh)
 {
   const std::vector<double> volumes = cellVolumes(mesh);
   VolumeQuality             quality;
-  quality.volumeVariance = varianceAboutMean(volumes, sumOf(volumes) / static_cast<double>(volumes.size()));
+  quality.volumeVariance = varianceAboutMean(
+    volumes, std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(volumes.size()));
   for (std::size_t cell = 0; cell < volumes.size(); ++cell)
   {
     const auto jacobians = cornerJacobians(cellCorners(mesh, cell));

@@ -37,6 +37,10 @@ struct HexMesh
   cellNodes(std::size_t cell) const;
 };
 
+/** \throws InvalidInput  unless there are n^3 nodes, n >= 2, and every coordinate is finite (names the node) */
+void
+requireValid(const HexMesh & mesh);
+
 /** Eight corners of one hexahedron in VTK_HEXAHEDRON order. */
 using HexCorners = std::array<Vector3, 8>;
 
