@@ -28,7 +28,7 @@ constexpr double loosestSolverTolerance = 1e-2;
 constexpr double roundOffDeviation = 1e-18;
 
 void
-requireOptions(const EqualMeasureOptions & options, double target)
+requireArguments(const EqualMeasureOptions & options, double target, const SignedDistance & phi)
 {
   const auto require = [](bool holds, const std::string & what) {
     if (!holds)
@@ -36,20 +36,20 @@ requireOptions(const EqualMeasureOptions & options, double target)
       throw InvalidInput("equal-measure projection: " + what);
     }
   };
+  require(static_cast<bool>(phi), "a surface is needed");
   require(target > 0.0 && std::isfinite(target), "the target must be positive and finite");
-  require(options.tolerance > 0.0, "the tolerance must be positive");
+  require(options.tolerance > 0.0 && std::isfinite(options.tolerance), "the tolerance must be positive and finite");
   require(options.maximumSteps >= 0 && options.maximumSolverSteps >= 1, "numbers of steps out of range");
   require(options.normalMotion > 0.0 && options.normalMotion <= 1.0, "normal motion must be in (0,1]");
-  require(options.shift > 0.0, "the shift must be positive");
+  require(options.shift > 0.0 && std::isfinite(options.shift), "the shift must be positive and finite");
 }
 
 /** (L + sigma)^-1 on the nodes. */
 SpectralOperator
 inverseLaplacian(int nodesPerSide, double shift)
 {
-  const auto eigenvalues = laplacianEigenvalues(nodesPerSide, CubeTransform::Basis::Cosine);
-  return { CubeTransform(nodesPerSide, CubeTransform::Basis::Cosine),
-           [&](int a, int b, int c) { return 1.0 / (eigenvalues[a] + eigenvalues[b] + eigenvalues[c] + shift); } };
+  return functionOfLaplacian(
+    nodesPerSide, CubeTransform::Basis::Cosine, [shift](double eigenvalue) { return 1.0 / (eigenvalue + shift); });
 }
 
 /** The inverse of A M A^T on the uniform lattice with unit cells. */
@@ -218,14 +218,17 @@ missing(const std::vector<double> & measures, double target)
   return r;
 }
 
+/** Corners of cells with det J <= 0, or not a number. */
 std::size_t
-nonPositiveCells(const HexMesh & mesh)
+nonPositiveCorners(const HexMesh & mesh)
 {
   std::size_t count = 0;
   for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
   {
-    const auto jacobians = cornerJacobians(cellCorners(mesh, cell));
-    count += *std::min_element(jacobians.begin(), jacobians.end()) <= 0.0 ? 1 : 0;
+    for (const double jacobian : cornerJacobians(cellCorners(mesh, cell)))
+    {
+      count += jacobian > 0.0 ? 0 : 1;
+    }
   }
   return count;
 }
@@ -241,6 +244,24 @@ moved(const LatticeLayout & layout, const HexMesh & mesh, const Vector & displac
   return result;
 }
 
+/** What is to be said of a mesh that is not equal, or that has more corners turned over than the one given. */
+std::string
+noteOf(const EqualMeasureResult & result, std::size_t nonPositiveBefore, double tolerance)
+{
+  std::ostringstream note;
+  if (!result.report.converged)
+  {
+    note << "mean square deviation of the measures " << result.report.residual << " after " << result.report.steps
+         << " Newton steps, tolerance " << tolerance;
+  }
+  if (result.nonPositiveCorners > nonPositiveBefore)
+  {
+    note << (result.report.converged ? "" : "; ") << "non-positive corners of cells: " << nonPositiveBefore
+         << " before, " << result.nonPositiveCorners << " after";
+  }
+  return note.str();
+}
+
 } // namespace
 
 EqualMeasureResult
@@ -251,7 +272,7 @@ projectOntoEqualMeasure(const HexMesh &             mesh,
                         const EqualMeasureOptions & options,
                         const ProgressCallback &    progress)
 {
-  requireOptions(options, target);
+  requireArguments(options, target, phi);
   requireValid(mesh);
   const Stopwatch     stopwatch;
   const LatticeLayout layout(mesh.nodesPerSide);
@@ -266,7 +287,8 @@ projectOntoEqualMeasure(const HexMesh &             mesh,
   EqualMeasureResult result;
   HexMesh            present = mesh;
   double             best = 0.0;
-  std::size_t        nonPositive = nonPositiveCells(mesh);
+  const std::size_t  nonPositiveBefore = nonPositiveCorners(mesh);
+  std::size_t        nonPositive = nonPositiveBefore;
   for (int step = 0;; ++step)
   {
     std::vector<double> measures;
@@ -279,6 +301,7 @@ projectOntoEqualMeasure(const HexMesh &             mesh,
     {
       best = deviation;
       result.mesh = present;
+      result.nonPositiveCorners = nonPositive;
     }
     result.report.converged = best < options.tolerance || stalled;
     if (result.report.converged || step == options.maximumSteps || !std::isfinite(deviation))
@@ -297,12 +320,12 @@ projectOntoEqualMeasure(const HexMesh &             mesh,
       residual, std::max(tightestSolverTolerance, std::min(loosestSolverTolerance, std::sqrt(deviation))), y);
     const Vector displacement = equations.displacement(y);
     HexMesh      trial = moved(layout, present, displacement, unit);
-    std::size_t  trialNonPositive = nonPositiveCells(trial);
+    std::size_t  trialNonPositive = nonPositiveCorners(trial);
     for (int halving = 0; halving < maximumHalvings && trialNonPositive > nonPositive; ++halving)
     {
       taken.fraction *= 0.5;
       trial = moved(layout, present, taken.fraction * displacement, unit);
-      trialNonPositive = nonPositiveCells(trial);
+      trialNonPositive = nonPositiveCorners(trial);
     }
     present = std::move(trial);
     nonPositive = trialNonPositive;
@@ -311,13 +334,7 @@ projectOntoEqualMeasure(const HexMesh &             mesh,
   result.report.steps = static_cast<int>(result.steps.size());
   result.report.residual = best;
   result.report.seconds = stopwatch.seconds();
-  if (!result.report.converged)
-  {
-    std::ostringstream note;
-    note << "mean square deviation of the measures " << best << " after " << result.report.steps
-         << " Newton steps, tolerance " << options.tolerance;
-    result.report.note = note.str();
-  }
+  result.report.note = noteOf(result, nonPositiveBefore, options.tolerance);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/HexMap/MassMeasure.h"
+#include "moserhex/HexMap/VolumeEqualisation.h"
 #include "moserhex/Quality/HexQuality.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 using namespace moserhex;
 using namespace moserhex::testing;
@@ -56,6 +58,26 @@ distortedBox(int n, double amplitude)
     const Vector3 shift(wave(0) * std::cos(pi * x[1]), wave(1) * std::cos(2 * pi * x[2]), wave(2) * x[0]);
     return Vector3((x + amplitude * shift).cwiseProduct(boxSides));
   });
+}
+
+/** The unit box with all cells sound, the smaller the nearer they are to the origin. */
+HexMesh
+gradedBox(double grading)
+{
+  return mappedLattice(6, [grading](const Vector3 & x) { return Vector3(x.array().pow(grading)); });
+}
+
+std::size_t
+nonPositiveCornersOf(const HexMesh & mesh)
+{
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
+  {
+    const auto jacobians = cornerJacobians(cellCorners(mesh, cell));
+    count += static_cast<std::size_t>(
+      std::count_if(jacobians.begin(), jacobians.end(), [](double jacobian) { return jacobian <= 0.0; }));
+  }
+  return count;
 }
 
 /** A ball's lattice of 8 nodes a side that has equal cells, then distorted smoothly along the surface and inside. */
@@ -184,6 +206,25 @@ TEST(EqualMeasureProjection, ExactLatticeIsLeftAlone)
   EXPECT_LT(result.report.residual, 1e-24);
 }
 
+TEST(EqualMeasureProjection, ClosedFormLatticeOfALinearDensityInABoxIsLeftAlone)
+{
+  // mu = 1 + a x on the unit cube: planes x_i with x + a x^2 / 2 = (1 + a / 2) i / (n - 1) cut it into equal masses.
+  constexpr double    a = 3.0;
+  const LinearDensity density(1.0, Vector3(a, 0.0, 0.0));
+  const MassMeasure   measure(density, { 2 });
+  const HexMesh       mesh = mappedLattice(
+    8, [](const Vector3 & x) { return Vector3((std::sqrt(1.0 + a * (2.0 + a) * x[0]) - 1.0) / a, x[1], x[2]); });
+  const double target = (1.0 + a / 2.0) / 343.0;
+  for (const double mass : measuresOf(measure, mesh))
+  {
+    EXPECT_NEAR(mass, target, 1e-14);
+  }
+  const EqualMeasureResult result = projectOntoEqualMeasure(mesh, measure, target, boxDistance(Vector3::Ones()));
+  EXPECT_TRUE(result.report.converged);
+  EXPECT_EQ(result.report.steps, 0);
+  EXPECT_EQ(result.mesh.nodes, mesh.nodes);
+}
+
 TEST(EqualMeasureProjection, EveryCellHasTheTargetAndTheTotalIsKept)
 {
   const HexMesh mesh = distortedBox(8, 0.05);
@@ -243,7 +284,7 @@ TEST(EqualMeasureProjection, StepThatWouldInvertAPositiveMeshIsHalved)
   bool isAnyHalved = false;
   for (const double grading : { 1.6, 1.65, 1.7, 1.75, 1.8, 1.85, 1.9 })
   {
-    const HexMesh mesh = mappedLattice(6, [grading](const Vector3 & x) { return Vector3(x.array().pow(grading)); });
+    const HexMesh       mesh = gradedBox(grading);
     EqualMeasureOptions options;
     options.maximumSteps = 1;
     const EqualMeasureResult result =
@@ -255,6 +296,35 @@ TEST(EqualMeasureProjection, StepThatWouldInvertAPositiveMeshIsHalved)
     isAnyHalved = isAnyHalved || (fraction == 0.5 && result.mesh.nodes != mesh.nodes);
   }
   EXPECT_TRUE(isAnyHalved); // else nothing was tested
+}
+
+TEST(EqualMeasureProjection, CornersThatTurnOverAreCountedAndSaid)
+{
+  bool isAnyTurnedOver = false;
+  for (const double grading : { 1.0, 1.5, 2.0, 2.5, 3.0, 3.5 })
+  {
+    const HexMesh            mesh = gradedBox(grading);
+    const EqualMeasureResult result =
+      projectOntoEqualMeasure(mesh, VolumeMeasure(), 1.0 / 125.0, boxDistance(Vector3::Ones()));
+    const std::size_t count = nonPositiveCornersOf(result.mesh);
+    EXPECT_EQ(nonPositiveCornersOf(mesh), 0u) << grading;
+    EXPECT_EQ(result.nonPositiveCorners, count) << grading;
+    const std::string said = "non-positive corners of cells: 0 before, " + std::to_string(count) + " after";
+    EXPECT_EQ(result.report.note.find(said) != std::string::npos, count > 0) << grading << ": " << result.report.note;
+    isAnyTurnedOver = isAnyTurnedOver || (count > 0 && result.report.converged);
+  }
+  EXPECT_TRUE(isAnyTurnedOver); // else nothing was tested
+}
+
+TEST(EqualMeasureProjection, WhereTheProjectionAloneTurnsCornersOverTheWholeStageDoesNot)
+{
+  const HexMesh            mesh = gradedBox(2.5);
+  const EqualMeasureResult alone =
+    projectOntoEqualMeasure(mesh, VolumeMeasure(), 1.0 / 125.0, boxDistance(Vector3::Ones()));
+  EXPECT_GT(alone.nonPositiveCorners, 0u); // else nothing was tested
+  const EqualisationResult stage = equaliseVolumes(mesh, boxDistance(Vector3::Ones()), 1.0);
+  EXPECT_TRUE(stage.exact);
+  EXPECT_EQ(nonPositiveCornersOf(stage.mesh), 0u);
 }
 
 TEST(EqualMeasureProjection, RunningOutOfStepsIsSaidAndTheBestMeshReturned)
@@ -369,11 +439,19 @@ TEST(EqualMeasureProjection, TargetThatIsNotPositiveAndFiniteIsRefused)
   }
 }
 
-TEST(EqualMeasureProjection, ToleranceThatIsNotPositiveIsRefused)
+TEST(EqualMeasureProjection, NoSurfaceIsRefused)
+{
+  EXPECT_THROW((void)projectOntoEqualMeasure(regularLattice(3), VolumeMeasure(), 0.125, {}), InvalidInput);
+}
+
+TEST(EqualMeasureProjection, ToleranceThatIsNotPositiveAndFiniteIsRefused)
 {
   EqualMeasureOptions options;
-  options.tolerance = 0.0;
-  expectRefused(options);
+  for (const double tolerance : { 0.0, std::numeric_limits<double>::infinity() })
+  {
+    options.tolerance = tolerance;
+    expectRefused(options);
+  }
 }
 
 TEST(EqualMeasureProjection, NumbersOfStepsOutOfRangeAreRefused)
@@ -396,9 +474,12 @@ TEST(EqualMeasureProjection, NormalMotionOutOfRangeIsRefused)
   }
 }
 
-TEST(EqualMeasureProjection, ShiftThatIsNotPositiveIsRefused)
+TEST(EqualMeasureProjection, ShiftThatIsNotPositiveAndFiniteIsRefused)
 {
   EqualMeasureOptions options;
-  options.shift = 0.0;
-  expectRefused(options);
+  for (const double shift : { 0.0, std::numeric_limits<double>::infinity() })
+  {
+    options.shift = shift;
+    expectRefused(options);
+  }
 }

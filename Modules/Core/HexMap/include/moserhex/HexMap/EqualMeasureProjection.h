@@ -23,14 +23,15 @@ struct EqualMeasureOptions
 /** One step of Newton's method. */
 struct EqualMeasureStep
 {
-  double deviation{ 0.0 };   ///< mean (measure / target - 1)^2 before the step [1]
-  int    solverSteps{ 0 };   ///< conjugate-gradient steps
-  double fraction{ 1.0 };    ///< of the Newton step that was taken [1]
+  double deviation{ 0.0 }; ///< mean (measure / target - 1)^2 before the step [1]
+  int    solverSteps{ 0 }; ///< conjugate-gradient steps
+  double fraction{ 1.0 };  ///< of the Newton step that was taken [1]
 };
 
 struct EqualMeasureResult
 {
   HexMesh                       mesh;
+  std::size_t                   nonPositiveCorners{ 0 }; ///< corners of the mesh's cells with det J <= 0
   std::vector<EqualMeasureStep> steps;
   StepReport                    report; ///< residual: mean (measure / target - 1)^2 of the mesh returned
 };
@@ -47,14 +48,17 @@ struct EqualMeasureResult
  *   symbol(a,b,c) = (D_a M_b M_c + M_a D_b M_c + M_a M_b D_c) / (D_a + D_b + D_c + sigma)
  *   D = 2 - 2 cos t,  M = (1 + cos t) / 2,  t = pi (a + 1) / n          (sine transforms)
  *
- * A step that would make a corner of a positive mesh non-positive is halved, twice at most.
+ * A step that would make more corners of cells non-positive is halved, twice at most, and then taken all the same:
+ * equal measures come first here. `nonPositiveCorners` counts them in the mesh returned, and the note says so when they
+ * are more than in the mesh given; a caller that cannot use such a mesh makes the cells more equal before
+ * (VolumeEqualisation.h).
  *
  * \param target  m* > 0, the same for all cells                                  [unit of the measure]
  * \param phi     of the organ's surface, for its normals [mm]
- * \throws InvalidInput  no n^3 finite nodes, target or an option out of range
+ * \throws InvalidInput  no n^3 finite nodes, target or an option out of range, no phi
  * \throws Cancelled     by the callback
  * \note Converges quadratically. `converged` is false, and the mesh with the smallest deviation is returned, when the
- * tolerance is not met; the note says why. Deterministic for any number of threads. */
+ * tolerance is not met; the note says so. Deterministic for any number of threads. */
 [[nodiscard]] EqualMeasureResult
 projectOntoEqualMeasure(const HexMesh &             mesh,
                         const CellMeasure &         measure,
