@@ -95,7 +95,7 @@ largestError(const ExponentialDensity & density, int n, int pointsPerAxis)
 
 TEST(MassMeasure, UniformDensityGivesTheVolume)
 {
-  const HexMesh             mesh = farAndOblique(shaken(regularLattice(6), 0.07, 5));
+  const HexMesh             mesh = farAndOblique(shaken(regularLattice(4), 0.07, 5));
   const std::vector<double> volumes = cellVolumes(mesh);
   ScalarVolume              image = wavyImage();
   image.values.assign(image.values.size(), 2.5);
