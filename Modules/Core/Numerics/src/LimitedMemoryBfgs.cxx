@@ -301,7 +301,8 @@ minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
     }
     if (!(slope < 0.0))
     {
-      result.report.converged = true; // the gradient vanishes
+      result.report.converged = slope == 0.0; // the gradient vanishes
+      result.report.note = result.report.converged ? "" : "the direction does not descend";
       break;
     }
     double step = 1.0;

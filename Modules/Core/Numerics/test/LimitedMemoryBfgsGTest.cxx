@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 using namespace moserhex;
@@ -264,6 +265,28 @@ TEST(LimitedMemoryBfgs, RunningOutOfStepsIsSaidNotThrown)
   const auto result = minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(5));
   EXPECT_FALSE(result.report.converged);
   EXPECT_EQ(result.report.steps, 5);
+}
+
+TEST(LimitedMemoryBfgs, DirectionThatDoesNotDescendIsSaidAndNoConvergence)
+{
+  const Quadratic f;
+  VectorXd        x = VectorXd::Zero(size);
+  const auto      result = minimiseByLimitedMemoryBfgs(f, x, f.inverse(-1.0));
+  EXPECT_FALSE(result.report.converged);
+  EXPECT_NE(result.report.note.find("does not descend"), std::string::npos) << result.report.note;
+  EXPECT_EQ(x, VectorXd::Zero(size));
+}
+
+TEST(LimitedMemoryBfgs, GradientThatIsNotFiniteOnTheWayIsNoConvergence)
+{
+  const auto f = [](const VectorXd & x, VectorXd & gradient) {
+    gradient = x.norm() < 0.5 ? VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN()) : VectorXd(x);
+    return 0.5 * x.squaredNorm();
+  };
+  VectorXd   x = VectorXd::Ones(size);
+  const auto result = minimiseByLimitedMemoryBfgs(f, x);
+  EXPECT_FALSE(result.report.converged);
+  EXPECT_FALSE(result.report.note.empty());
 }
 
 TEST(LimitedMemoryBfgs, ProgressIsToldOfEveryStep)
