@@ -2,6 +2,7 @@
 // iteration class, the last Newton step is below 1e-6 rad and converges quadratically, so 1e-7 between two starts.
 #include "../src/AreaBarrierSystem.h"
 
+#include "TestPositions.h"
 #include "moserhex/Analytic/ObservedOrder.h"
 #include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/Common/Errors.h"
@@ -19,6 +20,7 @@
 #include <limits>
 
 using namespace moserhex;
+using namespace moserhex::testing;
 
 namespace
 {
@@ -65,17 +67,6 @@ randomStep(std::size_t vertexCount, std::uint64_t seed)
     step[i] = random.uniform(-1.0, 1.0);
   }
   return step;
-}
-
-double
-largestDistance(const Positions & a, const Positions & b)
-{
-  double largest = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v)
-  {
-    largest = std::max(largest, (a[v] - b[v]).norm());
-  }
-  return largest;
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // Round-off class: the centroid is the criterion itself (1e-12); a boost and its inverse cancel to 1e-13.
+#include "TestPositions.h"
 #include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/SphericalMap/FrameAlignment.h"
@@ -9,6 +10,7 @@
 #include <Eigen/Geometry>
 
 using namespace moserhex;
+using namespace moserhex::testing;
 
 namespace
 {
@@ -21,17 +23,6 @@ boosted(Positions sphere, const Vector3 & c)
     s = moebiusBoost(s, c).normalized();
   }
   return sphere;
-}
-
-double
-largestDistance(const Positions & a, const Positions & b)
-{
-  double largest = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v)
-  {
-    largest = std::max(largest, (a[v] - b[v]).norm());
-  }
-  return largest;
 }
 
 } // namespace
