@@ -137,7 +137,7 @@ requireCovered(const IndexBox & box, const VoxelGrid & image)
   }
   if (!side.empty())
   {
-    throw InvalidInput("density image: does not cover the label, " + std::to_string(missing) +
+    throw InvalidInput("density image: does not cover the label, " + describeNumber(missing) +
                        " mm are missing on its " + side);
   }
 }
@@ -368,7 +368,7 @@ densityOnLabel(const ScalarVolume & image, const LabelVolume & label, unsigned i
   const double mean = meanDensity(solid, DensityImage(part.volume), part.volume, threads);
   if (!isDensity(mean) || !isDensity(1.0 / mean))
   {
-    throw InvalidInput("density image: its mean over the label is " + std::to_string(mean) +
+    throw InvalidInput("density image: its mean over the label is " + describeNumber(mean) +
                        ", too small or too large to divide by");
   }
   double smallest = HUGE_VAL;

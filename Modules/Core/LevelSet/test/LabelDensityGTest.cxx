@@ -199,7 +199,7 @@ TEST(LabelDensity, UncoveredSideIsNamedInThePatient)
     const std::string text =
       std::string(side % 2 == 0 ? "start" : "end") + " of image axis " + std::to_string(axis + 1);
     EXPECT_EQ(refusalOf(imageOf(grid, one), label),
-              "density image: does not cover the label, 1.000000 mm are missing on its " + std::string(sides[side]) +
+              "density image: does not cover the label, 1 mm are missing on its " + std::string(sides[side]) +
                 " side (" + text + ")");
   }
 }
