@@ -14,7 +14,8 @@ namespace moserhex
  *   s = phi / |grad phi|
  *
  * with phi and c in units of a cell's edge. The length of the gradient, clamped to [0.3, 2], is frozen by freeze(), so
- * that s needs no second derivative. w is 1 unless strengthen() was called. The centres are held too: nodes alone let quadrilaterals cut off the tips.
+ * that s needs no second derivative. w is 1 unless strengthen() was called. The centres are held too: nodes alone let
+ * quadrilaterals cut off the tips.
  *
  * c is the level at which a lattice of flat-ish quadrilaterals encloses the label's volume. */
 class SurfaceAttraction
@@ -94,14 +95,14 @@ private:
   [[nodiscard]] double
   area(const Eigen::VectorXd & x) const;
 
-  LatticeLayout                             m_Layout;
-  SignedDistance                            m_Phi;
-  unsigned int                              m_Threads;
-  std::vector<std::size_t>                  m_Nodes;
-  std::vector<std::array<std::size_t, 4>>   m_Quads; ///< around each boundary quadrilateral
-  std::vector<double>                       m_InverseSlope; ///< 1 / |grad phi|, of the nodes, then the centres
-  std::vector<double>                       m_Weights;      ///< w of the nodes, then the centres
-  double                                    m_Level{ 0.0 };
+  LatticeLayout                           m_Layout;
+  SignedDistance                          m_Phi;
+  unsigned int                            m_Threads;
+  std::vector<std::size_t>                m_Nodes;
+  std::vector<std::array<std::size_t, 4>> m_Quads;        ///< around each boundary quadrilateral
+  std::vector<double>                     m_InverseSlope; ///< 1 / |grad phi|, of the nodes, then the centres
+  std::vector<double>                     m_Weights;      ///< w of the nodes, then the centres
+  double                                  m_Level{ 0.0 };
 };
 
 } // namespace moserhex

@@ -123,8 +123,7 @@ checkMetaFile(const std::string & file)
   }
   if (header.get("NDims") != "3")
   {
-    throw BadInput(
-      file, "NDims is '" + header.get("NDims").substr(0, 20) + "', need a 3-D image", exportScalarVolume);
+    throw BadInput(file, "NDims is '" + header.get("NDims").substr(0, 20) + "', need a 3-D image", exportScalarVolume);
   }
   const std::string channels = header.get("ElementNumberOfChannels");
   if (!channels.empty() && channels != "1")

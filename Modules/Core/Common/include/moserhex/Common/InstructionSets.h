@@ -1,16 +1,16 @@
 #pragma once
 
 #if !defined(__GNUC__)
-#  error "moserhex needs the vector extensions of GCC or Clang"
+#error "moserhex needs the vector extensions of GCC or Clang"
 #endif
 
 /** Compiles a kernel for several instruction sets and picks one when the program starts. All give the same bits: the
  * lanes are independent, their number is fixed, and multiply-add contraction is off for these files. Not with the
  * sanitizers, whose runtime is not up when the choice is made. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#  define MOSERHEX_KERNEL __attribute__((target_clones("default", "avx2", "avx512f")))
+#define MOSERHEX_KERNEL __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
-#  define MOSERHEX_KERNEL
+#define MOSERHEX_KERNEL
 #endif
 
 #define MOSERHEX_INLINE inline __attribute__((always_inline))
