@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, runs the whole test suite; then the same for Core alone, without ITK.
+# Installs what is missing, checks the formatting, builds everything, runs the whole test suite; then the same for Core
+# alone, without ITK.
 # Usage: ./test.sh [ctest options], for example ./test.sh --label-regex HexMap
 set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/common.sh
 
+packages="$packages clang-format-14"
 install_packages
 use_ccache
+check_formatting
 for preset in release core-only; do
   echo "== $preset"
   cmake --preset $preset

@@ -41,6 +41,17 @@ build_jobs() {
   echo $((processors < memory ? processors : memory))
 }
 
+# Stops at the first file that clang-format would change. Version 14: another one formats differently.
+check_formatting() {
+  if ! command -v clang-format-14 > /dev/null; then
+    echo "No clang-format-14 here: formatting is not checked." >&2
+    return
+  fi
+  echo "== formatting"
+  find Applications Examples Modules Testing \( -name '*.cxx' -o -name '*.h' -o -name '*.hxx' \) -print0 |
+    xargs -0 clang-format-14 --dry-run -Werror
+}
+
 # Keeps compiled files for the next build when ccache is there.
 use_ccache() {
   if command -v ccache > /dev/null; then
