@@ -23,13 +23,4 @@ readScalarImage(const std::string & fileName)
   });
 }
 
-ScalarVolume
-scalarVolumeOf(const ScalarImageType & image)
-{
-  ScalarVolume   volume{ voxelGridOf(image), {} };
-  const double * voxels = image.GetBufferPointer();
-  volume.values.assign(voxels, voxels + volume.gridVoxels());
-  return volume;
-}
-
 } // namespace moserhex

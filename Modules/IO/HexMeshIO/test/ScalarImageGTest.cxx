@@ -1,6 +1,7 @@
 // Exact: values of a file that stores doubles. Places to 1e-6 mm where a header holds single precision.
 #include "moserhex/HexMeshIO/ScalarImageReader.h"
 
+#include "../src/ImageGrid.h"
 #include "TestFolder.h"
 #include "moserhex/Analytic/SolidShapes.h"
 
@@ -94,15 +95,15 @@ TEST_P(EveryScalarFormat, GivesValuesAndPlace)
   const TestFolder folder;
   const auto       image = testImage<double>();
   write(folder / GetParam(), image.GetPointer());
-  const ScalarImage  read = readScalarImage(folder / GetParam());
-  const ScalarVolume volume = scalarVolumeOf(*read.image);
-  EXPECT_EQ(volume.size, (std::array<int, 3>{ { 5, 4, 3 } }));
-  EXPECT_TRUE(volume.spacing.isApprox(Vector3(0.5, 0.75, 3.0), 1e-6));
-  EXPECT_LT((volume.origin - Vector3(-7.0, 3.0, 13.0)).norm(), 1e-5);
-  EXPECT_TRUE(volume.direction.isApprox(analytic::obliqueDirection(), 1e-5));
-  EXPECT_TRUE((volume.direction.transpose() * volume.direction).isApprox(Matrix3::Identity(), 1e-14));
-  EXPECT_TRUE(std::equal(volume.values.begin(), volume.values.end(), image->GetBufferPointer()));
-  EXPECT_EQ(volume.values.size(), 60u);
+  const ScalarImage read = readScalarImage(folder / GetParam());
+  const VoxelGrid   grid = voxelGridOf(*read.image);
+  EXPECT_EQ(grid.size, (std::array<int, 3>{ { 5, 4, 3 } }));
+  EXPECT_TRUE(grid.spacing.isApprox(Vector3(0.5, 0.75, 3.0), 1e-6));
+  EXPECT_LT((grid.origin - Vector3(-7.0, 3.0, 13.0)).norm(), 1e-5);
+  EXPECT_TRUE(grid.direction.isApprox(analytic::obliqueDirection(), 1e-5));
+  EXPECT_TRUE((grid.direction.transpose() * grid.direction).isApprox(Matrix3::Identity(), 1e-14));
+  const double * values = read.image->GetBufferPointer();
+  EXPECT_TRUE(std::equal(values, values + 60, image->GetBufferPointer()));
 }
 
 TEST_P(EveryScalarFormat, CutFileIsRefused)

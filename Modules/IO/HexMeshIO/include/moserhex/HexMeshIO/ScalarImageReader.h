@@ -1,7 +1,6 @@
 #pragma once
 
 #include "moserhex/HexMeshIO/FileErrors.h"
-#include "moserhex/LevelSet/DensityImage.h"
 
 #include <itkImage.h>
 
@@ -30,9 +29,5 @@ struct ScalarImage
  * \throws IOError   the file cannot be opened or read */
 [[nodiscard]] ScalarImage
 readScalarImage(const std::string & fileName);
-
-/** The voxels of an image whose region begins at index 0. */
-[[nodiscard]] ScalarVolume
-scalarVolumeOf(const ScalarImageType & image);
 
 } // namespace moserhex
