@@ -1,5 +1,7 @@
 #include "Console.h"
 
+#include "moserhex/HexMeshIO/FileErrors.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,23 +9,6 @@
 
 namespace moserhex::app
 {
-namespace
-{
-
-std::string
-oneLine(std::string text, std::size_t length)
-{
-  std::replace_if(
-    text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-  if (text.size() > length)
-  {
-    text = text.substr(0, length - 3) + "...";
-  }
-  return text;
-}
-
-} // namespace
-
 ProgressPrinter::ProgressPrinter(bool quiet) : m_Quiet(quiet), m_Terminal(::isatty(STDOUT_FILENO) == 1)
 {}
 

@@ -1,5 +1,7 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <algorithm>
+
 namespace moserhex
 {
 namespace
@@ -8,6 +10,9 @@ namespace
 // Ten characters less than a line of 200, for the "error: " a command puts before it.
 constexpr std::size_t longestMessage = 190;
 constexpr std::size_t longestName = 60;
+constexpr std::size_t shortestName = 24;
+constexpr std::size_t longestRemedy = 80;
+constexpr std::size_t longestWord = 32; // a longer one may be cut
 
 /** Bytes 10xxxxxx continue a UTF-8 character: never cut before one. */
 bool
@@ -45,30 +50,36 @@ keepEnd(const std::string & text, std::size_t length)
   return "..." + text.substr(begin);
 }
 
+} // namespace
+
 std::string
-keepBegin(const std::string & text, std::size_t length)
+oneLine(const std::string & text, std::size_t length)
 {
   if (text.size() <= length)
   {
-    return text;
+    return withoutControlCharacters(text);
   }
   std::size_t end = length > 3 ? length - 3 : 0;
   while (end > 0 && continuesCharacter(text[end]))
   {
     --end;
   }
-  return text.substr(0, end) + "...";
+  const std::size_t space = text.rfind(' ', end);
+  if (space != std::string::npos && space + longestWord > end)
+  {
+    end = space;
+  }
+  return withoutControlCharacters(text.substr(0, end) + "...");
 }
-
-} // namespace
 
 std::string
 fileMessage(const std::string & file, const std::string & cause, const std::string & remedy)
 {
-  const std::string name = keepEnd(withoutControlCharacters(file), longestName);
-  const std::string cure = keepBegin(withoutControlCharacters(remedy), 80);
-  const std::size_t rest = longestMessage - name.size() - cure.size() - 4;
-  return name + ": " + keepBegin(withoutControlCharacters(cause), rest) + "; " + cure;
+  const std::string cure = oneLine(remedy, longestRemedy);
+  const std::size_t rest = longestMessage - cure.size() - 4; // of name and cause
+  const std::size_t left = rest > cause.size() ? rest - cause.size() : 0;
+  const std::string name = keepEnd(withoutControlCharacters(file), std::min(longestName, std::max(shortestName, left)));
+  return name + ": " + oneLine(cause, rest - name.size()) + "; " + cure;
 }
 
 BadInput::BadInput(const std::string & file, const std::string & cause, const std::string & remedy)

@@ -38,6 +38,22 @@ TEST(FileMessage, NeverCutsACharacterInTwo)
   }
 }
 
+TEST(FileMessage, GivesTheNamesPlaceToALongCause)
+{
+  const std::string cause(100, 'c');
+  const std::string message = fileMessage(std::string(60, 'x') + "/case.nrrd", cause, "try another number of shells");
+  EXPECT_NE(message.find("/case.nrrd: " + cause + "; try another number of shells"), std::string::npos) << message;
+}
+
+TEST(OneLine, CutsAtTheEndOfAWordSoThatNoNumberLosesDigits)
+{
+  const std::string text = "the boundary is up to 123.456 mm off";
+  EXPECT_EQ(oneLine(text, text.size()), text);
+  EXPECT_EQ(oneLine(text, text.size() - 1), "the boundary is up to 123.456 mm...");
+  EXPECT_EQ(oneLine(text, 29), "the boundary is up to...");
+  EXPECT_EQ(oneLine(std::string(100, 'x'), 50), std::string(47, 'x') + "...");
+}
+
 TEST(FileErrors, AreErrorsOfDifferentKinds)
 {
   EXPECT_THROW(throw BadInput("f", "c", "r"), Error);

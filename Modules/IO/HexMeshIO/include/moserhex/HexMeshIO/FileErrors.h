@@ -23,10 +23,14 @@ public:
   IOError(const std::string & file, const std::string & cause, const std::string & remedy);
 };
 
-/** "file: cause; remedy" in one line of at most 200 characters.
- *
- * A file name longer than 60 characters keeps its end; control characters become '?', so that a hostile name or a
- * library's message cannot break the line. */
+/** The text in one line of at most so many bytes: control characters become '?', so that a hostile name or a library's
+ * message cannot break the line; what is too long ends with "..." after a whole word, so that no number loses digits.
+ */
+[[nodiscard]] std::string
+oneLine(const std::string & text, std::size_t length);
+
+/** "file: cause; remedy" in one line of at most 200 characters. A file name longer than 60 characters keeps its end,
+ * and as little as 24 of them when the cause needs the place; then the cause is cut. */
 [[nodiscard]] std::string
 fileMessage(const std::string & file, const std::string & cause, const std::string & remedy);
 
