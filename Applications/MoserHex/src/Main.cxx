@@ -94,7 +94,15 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   {
     return program.exit(error); // --help, --version
   }
-  printError(std::string(error.what()) + "; see moserhex --help");
+  const auto parsed = program.get_subcommands();
+  const auto unknown = program.remaining();
+  if (parsed.empty() && !unknown.empty() && unknown.front().front() != '-')
+  {
+    printError("no command " + unknown.front() + ", there are mesh, quality and sample; see moserhex --help");
+    return wrongUsage;
+  }
+  const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
+  printError(std::string(error.what()) + "; see moserhex " + command + "--help");
   return wrongUsage;
 }
 

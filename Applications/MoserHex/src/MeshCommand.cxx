@@ -164,7 +164,11 @@ runPipeline(const LabelImage &         input,
   }
   catch (const itk::ExceptionObject & error)
   {
-    throw NoMeshError(fileMessage(options.input, descriptionOf(error), "try another number of shells"));
+    // allow-partial lets a mesh pass that is not exact; it is no help where a stage before that failed.
+    const std::string description = descriptionOf(error);
+    const bool        isMeshed = description.compare(0, 9, "not exact") == 0;
+    const char *      remedy = isMeshed ? "try other --shells, or --allow-partial" : "try another number of shells";
+    throw NoMeshError(fileMessage(options.input, description, remedy));
   }
   catch (const std::bad_alloc &)
   {

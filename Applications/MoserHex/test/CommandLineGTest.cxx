@@ -8,10 +8,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include <fcntl.h>
@@ -134,6 +137,53 @@ expectOneLineError(const Outcome & outcome, int exitCode)
   EXPECT_LE(outcome.error.size(), 201u) << outcome.error;
 }
 
+/** Numbers of the label's voxels. */
+std::vector<std::size_t>
+voxelsOf(const LabelVolume & label)
+{
+  std::vector<std::size_t> voxels;
+  for (std::size_t voxel = 0; voxel < label.inside.size(); ++voxel)
+  {
+    if (label.inside[voxel] != 0)
+    {
+      voxels.push_back(voxel);
+    }
+  }
+  return voxels;
+}
+
+/** A density on the label's grid, as NRRD. */
+template <typename TValue>
+void
+writeDensity(const std::string & fileName, const LabelVolume & grid, TValue valueOf)
+{
+  std::ofstream file(fileName, std::ios::binary);
+  file.precision(17);
+  file << "NRRD0004\ntype: double\ndimension: 3\nspace: left-posterior-superior\nsizes:";
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    file << ' ' << grid.size[static_cast<std::size_t>(axis)];
+  }
+  const auto vector = [](const Vector3 & v) {
+    std::ostringstream text;
+    text.precision(17);
+    text << " (" << v.x() << ',' << v.y() << ',' << v.z() << ')';
+    return text.str();
+  };
+  file << "\nspace directions:";
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    file << vector(grid.spacing[axis] * grid.direction.col(axis));
+  }
+  file << "\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace origin:" << vector(grid.origin)
+       << "\n\n";
+  for (std::size_t voxel = 0; voxel < grid.inside.size(); ++voxel)
+  {
+    const double value = valueOf(voxel);
+    file.write(reinterpret_cast<const char *>(&value), sizeof value);
+  }
+}
+
 /** A box of 4^3 voxels of 10 mm as two hexahedra, MSH 2.2, left-handed when asked for. */
 void
 writeBoxMesh(const std::string & fileName, bool leftHanded)
@@ -190,10 +240,26 @@ TEST_F(CommandLine, HelpNamesEveryOption)
 {
   const Outcome outcome = run({ "mesh", "--help" });
   EXPECT_EQ(outcome.exitCode, 0);
-  for (const char * option :
-       { "INPUT", "OUTPUT", "--shells", "--label", "--stage", "--report", "--shell-method", "--threads", "--quiet" })
+  for (const char * option : { "INPUT",
+                               "OUTPUT",
+                               "--shells",
+                               "--label",
+                               "--stage",
+                               "--way",
+                               "--frame",
+                               "--density",
+                               "--allow-partial",
+                               "--report",
+                               "--shell-method",
+                               "--threads",
+                               "--quiet" })
   {
     EXPECT_NE(outcome.out.find(option), std::string::npos) << option;
+  }
+  const Outcome quality = run({ "quality", "--help" });
+  for (const char * option : { "MESH", "--label-image", "--label ", "--json", "--threads", "--quiet" })
+  {
+    EXPECT_NE(quality.out.find(option), std::string::npos) << option;
   }
 }
 
@@ -208,6 +274,13 @@ TEST_F(CommandLine, WrongUsageEndsWithTwo)
   expectOneLineError(run({ "mesh", "a.nrrd", "b.stl" }), 2);
   expectOneLineError(run({ "mesh", "a.vtk", "a.vtk" }), 2);
   expectOneLineError(run({ "mesh", "a.nrrd", "b.vtu", "--report", "./b.vtu" }), 2);
+}
+
+TEST_F(CommandLine, WrongUsageSaysWhereToLook)
+{
+  EXPECT_NE(run({ "qualty", "a.vtu" }).error.find("no command qualty"), std::string::npos);
+  EXPECT_NE(run({ "quality", "a.vtu", "--lable", "1" }).error.find("see moserhex quality --help"), std::string::npos);
+  EXPECT_NE(run({ "mesh", "a.nrrd" }).error.find("see moserhex mesh --help"), std::string::npos);
 }
 
 TEST_F(CommandLine, BadInputEndsWithThreeAndLeavesNothing)
@@ -294,6 +367,56 @@ TEST_F(CommandLine, MeshWritesLatticeReportAndTable)
   EXPECT_NEAR(report["mesh"]["volume_mm3"].get<double>(), report["input"]["volume_mm3"].get<double>(), 0.1 * 51000);
   EXPECT_TRUE(report["stages"].back().contains("volume_variance"));
   EXPECT_GT(report["threads"], 0);
+}
+
+TEST_F(CommandLine, MeshThatIsNotExactEndsWithFourUnlessItIsAllowed)
+{
+  // One voxel holds nearly all of the mass: no lattice has cells of equal mass then.
+  const LabelVolume gland = makeSampleProstate().gland;
+  writeSample();
+  const std::size_t centre = voxelsOf(gland)[voxelsOf(gland).size() / 2];
+  writeDensity(path("density.nrrd"), gland, [centre](std::size_t voxel) { return voxel == centre ? 1e6 : 1.0; });
+  const std::vector<std::string> arguments{ "mesh",      path("prostate.nrrd"), path("b.vtu"),           "--shells=2",
+                                            "--density", path("density.nrrd"),  "--shell-method=eikonal" };
+  const Outcome                  refused = run(arguments);
+  expectOneLineError(refused, 4);
+  EXPECT_NE(refused.error.find(": not exact: cells are not equal: variance "), std::string::npos) << refused.error;
+  EXPECT_NE(refused.error.find("; try other --shells, or --allow-partial\n"), std::string::npos) << refused.error;
+  EXPECT_EQ(fileCount(), 2u);
+
+  std::vector<std::string> partial = arguments;
+  partial.insert(partial.end(), { "--allow-partial", "--report", path("r.json") });
+  const Outcome allowed = run(partial);
+  EXPECT_EQ(allowed.exitCode, 0) << allowed.error;
+  EXPECT_NE(allowed.out.find("NOT EXACT"), std::string::npos) << allowed.out;
+  EXPECT_EQ(readHexMesh(path("b.vtu")).nodesPerSide, 4);
+  const auto exact = nlohmann::json::parse(contentOf(path("r.json")))["exact"];
+  EXPECT_EQ(exact["reached"], false);
+  ASSERT_FALSE(exact["shortcomings"].empty());
+  for (const std::string shortcoming : exact["shortcomings"])
+  {
+    EXPECT_NE(allowed.error.find("warning: not exact: " + shortcoming + "\n"), std::string::npos) << allowed.error;
+  }
+}
+
+TEST_F(CommandLine, DensityThatIsNotPositiveInTheLabelEndsWithThreeAndNamesTheVoxel)
+{
+  const LabelVolume gland = makeSampleProstate().gland;
+  writeSample();
+  const std::size_t inside = voxelsOf(gland).front();
+  const auto        nx = static_cast<std::size_t>(gland.size[0]);
+  const auto        ny = static_cast<std::size_t>(gland.size[1]);
+  const std::string voxel = "voxel (" + std::to_string(inside % nx) + ", " + std::to_string(inside / nx % ny) + ", " +
+                            std::to_string(inside / (nx * ny)) + ")";
+  for (const double value : { 0.0, -1.0, std::nan("") })
+  {
+    writeDensity(path("density.nrrd"), gland, [&](std::size_t at) { return at == inside ? value : 1.0; });
+    const Outcome outcome =
+      run({ "mesh", path("prostate.nrrd"), path("b.vtu"), "--density", path("density.nrrd"), "--shells", "2" });
+    expectOneLineError(outcome, 3);
+    EXPECT_NE(outcome.error.find(voxel), std::string::npos) << outcome.error;
+  }
+  EXPECT_EQ(fileCount(), 2u);
 }
 
 TEST_F(CommandLine, QuietRunPrintsNothing)

@@ -52,8 +52,8 @@ projectionOnto(const ClosestPointSearch & search, const CubicInterpolator & phi,
   };
 }
 
-/** Newton from the point itself and from the nearest point of the triangles; the nearer result. Near a crease either may
- * miss the nearest point. */
+/** Newton from the point itself and from the nearest point of the triangles; the nearer result. Near a crease either
+ * may miss the nearest point. */
 SurfaceProjection
 nearestPointOn(const ClosestPointSearch & search, const CubicInterpolator & phi, double level)
 {
@@ -267,16 +267,16 @@ requireExact(const EqualisationResult &  result,
   {
     return;
   }
-  std::string text = "the exact mesh was not reached";
-  for (std::size_t line = 0; line < result.shortcomings.size(); ++line)
+  std::string all;
+  for (const std::string & shortcoming : result.shortcomings)
   {
-    text += (line == 0 ? ": " : "; ") + result.shortcomings[line];
+    all += (all.empty() ? "" : "; ") + shortcoming;
+    warnings.push_back("not exact: " + shortcoming);
   }
   if (!options.allowPartial)
   {
-    throw NotConverged(text, result.report);
+    throw NotConverged("not exact: " + all, result.report);
   }
-  warnings.push_back(text);
 }
 
 } // namespace
@@ -342,7 +342,7 @@ meshSolid(const LevelSet &            ordering,
   // D, E. Sphere maps, the largest shell first so that threads end together.
   const std::size_t count = surfaces.size();
   result.sphereMaps.resize(count);
-  std::vector<Positions> maps(count);
+  std::vector<Positions>   maps(count);
   AreaPreservingMapOptions sphereMap = options.sphereMap;
   if (isFast(options))
   {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace moserhex;
@@ -138,8 +139,13 @@ TEST(MeshSolid, AMeshThatIsNotExactIsThrownAwayUnlessAskedFor)
   options.allowPartial = true;
   const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, options);
   EXPECT_FALSE(result.equalisation->exact);
-  ASSERT_FALSE(result.warnings.empty());
-  EXPECT_NE(result.warnings.back().find("mm off the surface"), std::string::npos) << result.warnings.back();
+  ASSERT_FALSE(result.equalisation->shortcomings.empty());
+  EXPECT_NE(result.equalisation->shortcomings.front().find("mm off the surface"), std::string::npos);
+  for (const std::string & shortcoming : result.equalisation->shortcomings)
+  {
+    EXPECT_EQ(std::count(result.warnings.begin(), result.warnings.end(), "not exact: " + shortcoming), 1)
+      << shortcoming;
+  }
 }
 
 TEST(MeshSolid, TheResultIsTheSameForAnyNumberOfThreads)
