@@ -4,6 +4,7 @@
 #include "ShapeEnergy.h"
 #include "TestEnergies.h"
 #include "TestSolids.h"
+#include "moserhex/HexMap/CellMeasure.h"
 #include "moserhex/Quality/JacobianBounds.h"
 
 #include <gtest/gtest.h>
@@ -116,6 +117,8 @@ TEST(LatticeOptimiser, LevelIsWhereTheVolumeFits)
   const double level = optimiser.attraction().level();
   EXPECT_GT(level, 0.0);  // chords lie inside the sphere
   EXPECT_LT(level, 0.05); // of a cell's edge
+  const double enclosed = measureEquality(mesh, VolumeMeasure()).total;
+  EXPECT_NEAR(level, optimiser.attraction().levelOfVolume(x, 729.0, enclosed), 1e-12);
 }
 
 TEST(LatticeOptimiser, MinimisationIsTheSameForAnyNumberOfThreads)
