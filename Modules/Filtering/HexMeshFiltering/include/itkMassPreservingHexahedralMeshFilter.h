@@ -100,7 +100,7 @@ public:
                                                                                           : ShellMethod::ChanVese);
   }
 
-  /** All options of stages C to I. */
+  /** All options of stages C to J. */
   void
   SetMeshingOptions(const moserhex::SolidMeshingOptions & options)
   {
