@@ -148,7 +148,7 @@ sampleMesh(const UnstructuredHexMesh & mesh, const LabelVolume & label, unsigned
 }
 
 /** Distance to the voxel surface, linear between voxel centres; points beyond the voxels take the value at the nearest
- * place of their box. */
+ * place of their box and add the way to it. */
 class VoxelSurfaceDistance
 {
 public:
@@ -164,10 +164,13 @@ public:
     const Vector3         voxel = m_Coordinates.of(point);
     std::array<int, 3>    below{};
     std::array<double, 3> part{};
+    Vector3               way = Vector3::Zero();
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
+      const auto   component = static_cast<Eigen::Index>(axis);
       const double last = m_Label.size[axis] - 1;
-      const double position = std::clamp(voxel[static_cast<Eigen::Index>(axis)], 0.0, last);
+      const double position = std::clamp(voxel[component], 0.0, last);
+      way[component] = (voxel[component] - position) * m_Label.spacing[component];
       below[axis] = std::min(static_cast<int>(position), m_Label.size[axis] - 2);
       part[axis] = position - below[axis];
     }
@@ -182,7 +185,7 @@ public:
       }
       value += weight * m_Values[m_Label.voxelNumber(below[0] + step[0], below[1] + step[1], below[2] + step[2])];
     }
-    return std::abs(value);
+    return std::abs(value) + way.norm();
   }
 
 private:

@@ -73,6 +73,16 @@ TEST(LabelAgreement, MeshOfTheLabelsOwnFacesAgrees)
   EXPECT_NEAR(agreement.boundaryNodes.maximum, (3.0 * std::sqrt(2.0) + std::sqrt(3.0) - 1.0) / 8.0, 1e-12);
 }
 
+TEST(LabelAgreement, MeshElsewhereIsAsFarAsItIs)
+{
+  const Vector3        away(1000.0, 0.0, 0.0);
+  const HexMesh        mesh = boxLattice(6, Vector3::Constant(3.5) + away, Vector3::Constant(13.5) + away);
+  const LabelAgreement agreement = compareWithLabel(unstructured(mesh), cubeLabel());
+  EXPECT_EQ(agreement.dice, 0.0);
+  EXPECT_NEAR(agreement.faceCentres.minimum, 990.0, 1e-9);
+  EXPECT_GE(agreement.faceCentres.maximum, 1000.0 - 1e-9);
+}
+
 TEST(LabelAgreement, ShiftIsSeenInDiceAndDistance)
 {
   HexMesh mesh = fittingLattice();
@@ -115,12 +125,12 @@ TEST(LabelAgreement, RigidMotionOfBothChangesNothing)
   EXPECT_NEAR(after.faceCentres.p99, before.faceCentres.p99, 1e-9);
 }
 
-TEST(LabelAgreement, MeshFarAwayHasNoOverlapAndABoundedDistance)
+TEST(LabelAgreement, MeshFarAwayHasNoOverlapAndTheWayToItCounts)
 {
   const HexMesh        mesh = boxLattice(4, Vector3::Constant(1000.0), Vector3::Constant(1010.0));
   const LabelAgreement agreement = compareWithLabel(unstructured(mesh), cubeLabel());
   EXPECT_EQ(agreement.dice, 0.0);
-  EXPECT_NEAR(agreement.boundaryNodes.maximum, 4.0 * std::sqrt(3.0) - 0.5, 1e-12);
+  EXPECT_NEAR(agreement.boundaryNodes.maximum, (993.0 + 4.0) * std::sqrt(3.0) - 0.5, 1e-9);
 }
 
 TEST(LabelAgreement, ThreadsChangeNoBit)

@@ -25,8 +25,9 @@ struct LabelAgreement
  * the cells the surface cuts: 1e-3 for a lattice of 20 nodes a side.
  *
  * Distance: voxelSignedDistance along all three axes (exact between voxel centres, half of the smallest voxel side
- * off), linear between voxel centres, held constant beyond 4 voxels around the label's box. Terraces between thick
- * slices count as surface, so a smooth mesh of a label of 3 mm slices is about 1 mm off here and there.
+ * off), linear between voxel centres; beyond 4 voxels around the label's box the way to these is added, which is never
+ * less than the distance. Terraces between thick slices count as surface, so a smooth mesh of a label of 3 mm slices is
+ * about 1 mm off here and there.
  *
  * \param threads  as in parallelFor; the result does not depend on it
  * \throws InvalidInput  as requireValid(mesh) and requireValid(label), or the mesh has no boundary */
