@@ -15,6 +15,9 @@ namespace moserhex::app
 namespace
 {
 
+/** Below this overlap the mesh was hardly made from the label [1]. */
+constexpr double smallestUsualDice = 0.1;
+
 void
 requireUsableOptions(const QualityCommandOptions & options)
 {
@@ -65,9 +68,17 @@ measure(const QualityCommandOptions & options)
   {
     report.warnings.push_back("the mesh's volume is negative: the cells' nodes are in left-handed order");
   }
+  if (report.quality.volume == 0.0)
+  {
+    report.warnings.push_back("the mesh has no volume: ratios of volumes are not numbers");
+  }
   if (!options.labelImage.empty())
   {
     report.label = compare(file, options, report.warnings);
+    if (report.label->agreement.dice < smallestUsualDice)
+    {
+      report.warnings.push_back("mesh and label hardly overlap: are both in LPS millimetres, and of the same scan?");
+    }
   }
   return report;
 }

@@ -530,6 +530,17 @@ TEST_F(CommandLine, QualityOfALeftHandedMeshWarns)
   EXPECT_NE(outcome.error.find("left-handed"), std::string::npos) << outcome.error;
 }
 
+TEST_F(CommandLine, QualityWarnsOfALabelElsewhere)
+{
+  writeBoxMesh(path("box.msh"), false);
+  LabelVolume label = boxLabel();
+  label.origin += Vector3(300.0, 0.0, 0.0);
+  writeLabelImage(path("box.nrrd"), label);
+  const Outcome outcome = run({ "quality", path("box.msh"), "--label-image", path("box.nrrd"), "--quiet" });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("hardly overlap"), std::string::npos) << outcome.error;
+}
+
 TEST_F(CommandLine, QualityRefusesWithTheExitCodesOfTheOthers)
 {
   writeBoxMesh(path("box.msh"), false);
