@@ -198,7 +198,7 @@ smoothShape(const LabelVolume &         ball,
   const LabelVolume padded = cropAndPad(ball, voxelsForMargin(ball.spacing, margin));
   const RegularGrid grid = detail::gridAround(ball, spacing, margin);
   requireValid(grid, options.labelName);
-  LevelSet f = detail::interpolateShape(padded, grid, report.sliceAxis);
+  LevelSet f = detail::interpolateShape(padded, grid, report.sliceAxis, options.threads);
   gaussianSmoothInPlace(f, report.sigma / spacing);
 
   LevelOfVolumeOptions search;
@@ -309,7 +309,7 @@ conditionLabel(const LabelVolume & label, const ConditioningOptions & options, c
     static_cast<double>(protection.cut + protection.filled) * f.grid.cellVolume() / solid.labelVolume;
   reportProgress(progress, 0.6);
 
-  LevelSet phi = redistance(f);
+  LevelSet phi = redistance(f, options.threads);
   detail::makeLevelsSphericalInPlace(phi, sphericalBand * spacing);
   reportProgress(progress, 0.8);
 

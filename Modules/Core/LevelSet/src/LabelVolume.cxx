@@ -3,6 +3,8 @@
 #include "moserhex/Common/Errors.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 namespace moserhex
 {
@@ -35,22 +37,30 @@ cropAndPad(const LabelVolume & label, const std::array<int, 3> & margin)
   requireValid(label, "crop");
   std::array<int, 3> lower = label.size;
   std::array<int, 3> upper{ { -1, -1, -1 } };
-  std::size_t        voxel = 0;
+  const auto         length = static_cast<std::ptrdiff_t>(label.size[0]);
+  auto               row = label.inside.begin();
   for (int k = 0; k < label.size[2]; ++k)
   {
-    for (int j = 0; j < label.size[1]; ++j)
+    for (int j = 0; j < label.size[1]; ++j, row += length)
     {
-      for (int i = 0; i < label.size[0]; ++i, ++voxel)
+      // Most rows of an image are empty, and a sum without a way out takes many voxels at a time.
+      const auto any = std::accumulate(row, row + length, std::uint8_t{ 0 }, [](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(a | b);
+      });
+      if (any == 0)
       {
-        if (label.inside[voxel] != 0)
-        {
-          const std::array<int, 3> index{ { i, j, k } };
-          for (std::size_t axis = 0; axis < 3; ++axis)
-          {
-            lower[axis] = std::min(lower[axis], index[axis]);
-            upper[axis] = std::max(upper[axis], index[axis]);
-          }
-        }
+        continue;
+      }
+      const auto isInside = [](std::uint8_t value) { return value != 0; };
+      const auto first = std::find_if(row, row + length, isInside);
+      const auto last =
+        std::find_if(std::make_reverse_iterator(row + length), std::make_reverse_iterator(first), isInside);
+      const std::array<int, 3> from{ static_cast<int>(first - row), j, k };
+      const std::array<int, 3> to{ static_cast<int>(last.base() - row) - 1, j, k };
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        lower[axis] = std::min(lower[axis], from[axis]);
+        upper[axis] = std::max(upper[axis], to[axis]);
       }
     }
   }

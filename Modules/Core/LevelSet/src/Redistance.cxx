@@ -1,10 +1,14 @@
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
 #include "moserhex/LevelSet/CubicInterpolation.h"
 #include "moserhex/LevelSet/SignedDistance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace moserhex
 {
@@ -12,6 +16,12 @@ namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/** Nodes closer than this to the surface find their own nearest point [nodes]. */
+constexpr int bandInNodes = 4;
+
+/** Nodes that a thread takes at a time. */
+constexpr std::size_t nodesPerBlock = 4096;
 
 /** Where f changes sign between a node and its six neighbours. */
 struct Crossings
@@ -111,36 +121,60 @@ struct NearestPoint
 using NearestPoints = std::vector<NearestPoint>;
 
 NearestPoints
-pointsNearTheSurface(const CubicInterpolator & interpolator, const LevelSet & f)
+pointsNearTheSurface(const CubicInterpolator & interpolator, const LevelSet & f, unsigned int threads)
 {
   const RegularGrid & grid = f.grid;
   NearestPoints       nearest(grid.nodeCount());
-  bool                any = false;
-  for (int k = 0; k < grid.size[2]; ++k)
-  {
-    for (int j = 0; j < grid.size[1]; ++j)
+  parallelForBlocks(nearest.size(), nodesPerBlock, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
     {
-      for (int i = 0; i < grid.size[0]; ++i)
+      const RegularGrid::Index index = grid.indexOf(node);
+      const Crossings          crossings = crossingsAround(f, index);
+      if (crossings.any)
       {
-        const Crossings crossings = crossingsAround(f, { { i, j, k } });
-        if (!crossings.any)
-        {
-          continue;
-        }
-        any = true;
-        const Vector3  x = grid.point(i, j, k);
+        const Vector3  x = grid.point(node);
         const Vector3  onPlane = x + grid.direction * (grid.spacing * footOnPlane(crossings));
-        NearestPoint & own = nearest[grid.nodeNumber(i, j, k)];
+        NearestPoint & own = nearest[node];
         own.point = grid.continuousIndex(nearestPointOnSurface(interpolator, x, onPlane));
-        own.squaredDistance = (own.point - Vector3(i, j, k)).squaredNorm();
+        own.squaredDistance = (own.point - Vector3(index[0], index[1], index[2])).squaredNorm();
       }
     }
-  }
-  if (!any)
+  });
+  if (std::all_of(nearest.begin(), nearest.end(), [](const NearestPoint & p) { return p.squaredDistance == infinity; }))
   {
     throw InvalidInput("redistance: the function has no node inside or no node outside");
   }
   return nearest;
+}
+
+/** 1 for the nodes within bandInNodes steps, along all three axes at once, of a node that has a point. */
+std::vector<std::uint8_t>
+nodesAround(const RegularGrid & grid, const NearestPoints & nearest)
+{
+  std::vector<std::uint8_t> marked(nearest.size());
+  std::transform(nearest.begin(), nearest.end(), marked.begin(), [](const NearestPoint & p) {
+    return static_cast<std::uint8_t>(p.squaredDistance < infinity ? 1 : 0);
+  });
+  const std::array<std::size_t, 3> strides{ { 1, grid.nodeNumber(0, 1, 0), grid.nodeNumber(0, 0, 1) } };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<std::uint8_t> before = marked;
+    const auto                      last = static_cast<std::size_t>(grid.size[axis]) - 1;
+    for (std::size_t reach = 1; reach <= std::min<std::size_t>(bandInNodes, last); ++reach)
+    {
+      const std::size_t slab = strides[axis] * (last + 1);
+      const std::size_t shift = strides[axis] * reach;
+      for (std::size_t first = 0; first < marked.size(); first += slab)
+      {
+        for (std::size_t node = first; node + shift < first + slab; ++node)
+        {
+          marked[node] |= before[node + shift];
+          marked[node + shift] |= before[node];
+        }
+      }
+    }
+  }
+  return marked;
 }
 
 /** The 13 neighbours with a smaller node number. Their negatives come later in the order of the numbers. */
@@ -155,10 +189,10 @@ precedingOffsets()
   return offsets;
 }
 
-/** Hands points on to neighbours: one scan in the order of the node numbers and one against it. A path from a node to
- * any other is made of steps to neighbours in one cone of directions; those of the first scan come first. */
+/** Hands points on to the chosen neighbours: one scan in the order of the node numbers and one against it. A path from
+ * a node to any other is made of steps to neighbours in one cone of directions; those of the first scan come first. */
 void
-scanForthAndBack(const RegularGrid & grid, NearestPoints & nearest)
+scanForthAndBack(const RegularGrid & grid, const std::vector<std::uint8_t> & chosen, NearestPoints & nearest)
 {
   const auto                     offsets = precedingOffsets();
   std::array<std::ptrdiff_t, 13> strides{};
@@ -167,6 +201,10 @@ scanForthAndBack(const RegularGrid & grid, NearestPoints & nearest)
   });
   const auto exists = [&](int coordinate, std::size_t axis) { return coordinate >= 0 && coordinate < grid.size[axis]; };
   const auto visit = [&](std::size_t node, int i, int j, int k, int side) {
+    if (chosen[node] == 0)
+    {
+      return;
+    }
     const Vector3  x(i, j, k);
     NearestPoint & own = nearest[node];
     const bool     border = grid.isBorder(i, j, k);
@@ -215,44 +253,46 @@ scanForthAndBack(const RegularGrid & grid, NearestPoints & nearest)
 /** Nodes share the points of their neighbours after the scans; close to the surface, where that matters, each gets its
  * own. */
 void
-refineNearTheSurface(const CubicInterpolator & interpolator, NearestPoints & nearest)
+refineNearTheSurface(const CubicInterpolator & interpolator, NearestPoints & nearest, unsigned int threads)
 {
   const RegularGrid & grid = interpolator.grid();
-  constexpr double    bandInNodes = 4.0;
-  for (std::size_t node = 0; node < nearest.size(); ++node)
-  {
-    NearestPoint & own = nearest[node];
-    if (own.squaredDistance < bandInNodes * bandInNodes)
+  parallelForBlocks(nearest.size(), nodesPerBlock, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
     {
-      const RegularGrid::Index index = grid.indexOf(node);
-      const Vector3            guess = grid.origin + grid.direction * (grid.spacing * own.point);
-      const Vector3            p = nearestPointOnSurface(interpolator, grid.point(node), guess);
-      const Vector3            point = grid.continuousIndex(p);
-      const double             squared = (point - Vector3(index[0], index[1], index[2])).squaredNorm();
-      if (squared < own.squaredDistance)
+      NearestPoint & own = nearest[node];
+      if (own.squaredDistance < bandInNodes * bandInNodes)
       {
-        own = { point, squared };
+        const RegularGrid::Index index = grid.indexOf(node);
+        const Vector3            guess = grid.origin + grid.direction * (grid.spacing * own.point);
+        const Vector3            p = nearestPointOnSurface(interpolator, grid.point(node), guess);
+        const Vector3            point = grid.continuousIndex(p);
+        const double             squared = (point - Vector3(index[0], index[1], index[2])).squaredNorm();
+        if (squared < own.squaredDistance)
+        {
+          own = { point, squared };
+        }
       }
     }
-  }
+  });
 }
 
 } // namespace
 
 LevelSet
-redistance(const LevelSet & f)
+redistance(const LevelSet & f, unsigned int threads)
 {
   requireValid(f, "redistance");
   if (std::find(f.values.begin(), f.values.end(), infinity) != f.values.end())
   {
     throw InvalidInput("redistance: a value is not finite");
   }
-  const CubicInterpolator interpolator(f);
-  NearestPoints           nearest = pointsNearTheSurface(interpolator, f);
-  scanForthAndBack(f.grid, nearest);
-  refineNearTheSurface(interpolator, nearest);
-  scanForthAndBack(f.grid, nearest);
-  scanForthAndBack(f.grid, nearest);             // halves the error of one scan far away
+  const CubicInterpolator         interpolator(f);
+  NearestPoints                   nearest = pointsNearTheSurface(interpolator, f, threads);
+  const std::vector<std::uint8_t> all(nearest.size(), 1);
+  scanForthAndBack(f.grid, nodesAround(f.grid, nearest), nearest);
+  refineNearTheSurface(interpolator, nearest, threads);
+  scanForthAndBack(f.grid, all, nearest);
+  scanForthAndBack(f.grid, all, nearest);        // halves the error of one scan far away
   const double smallest = 1e-6 * f.grid.spacing; // the sign must survive
   LevelSet     result{ f.grid, std::vector<double>(f.values.size()) };
   for (std::size_t node = 0; node < f.values.size(); ++node)

@@ -1,6 +1,7 @@
 #include "ShapeInterpolation.h"
 
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
 #include "moserhex/LevelSet/CubicInterpolation.h"
 #include "moserhex/LevelSet/SignedDistance.h"
 
@@ -75,46 +76,72 @@ occupiedSlices(const LabelVolume & label, std::size_t axis)
   return range;
 }
 
-/** Distance within each slice; slices beyond the label mirror its last slice and move away; then saturated. */
-std::vector<double>
-saturatedSliceDistance(const LabelVolume & label, int sliceAxis)
+/** Values on a box of samples, axis 0 first. */
+struct Samples
 {
-  const auto          axis = static_cast<std::size_t>(sliceAxis);
-  std::array<bool, 3> inSlice{ { true, true, true } };
-  inSlice[axis] = false;
-  std::vector<double>              distance = voxelSignedDistance(label, inSlice);
-  const double                     sliceThickness = label.spacing[sliceAxis];
-  const double                     saturation = saturationInSlices * sliceThickness;
-  const auto                       occupied = occupiedSlices(label, axis);
-  const std::array<std::size_t, 3> strides{ { 1, label.voxelNumber(0, 1, 0), label.voxelNumber(0, 0, 1) } };
+  std::array<std::size_t, 3> size{};
+  std::vector<double>        values;
 
-  std::vector<double> result(distance.size());
-  std::size_t         voxel = 0;
-  for (int k = 0; k < label.size[2]; ++k)
+  [[nodiscard]] std::size_t
+  stride(std::size_t axis) const
   {
-    for (int j = 0; j < label.size[1]; ++j)
-    {
-      for (int i = 0; i < label.size[0]; ++i, ++voxel)
-      {
-        const int slice = std::array<int, 3>{ { i, j, k } }[axis];
-        const int source = std::min(std::max(slice, occupied[0]), occupied[1]);
-        double    value = 0.0;
-        if (source == slice)
-        {
-          value = distance[voxel];
-        }
-        else
-        {
-          const std::size_t mirrored = source > slice
-                                         ? voxel + strides[axis] * static_cast<std::size_t>(source - slice)
-                                         : voxel - strides[axis] * static_cast<std::size_t>(slice - source);
-          value = std::abs(distance[mirrored]) + (std::abs(slice - source) - 1) * sliceThickness;
-        }
-        result[voxel] = saturation * std::tanh(value / saturation);
-      }
-    }
+    return axis == 0 ? 1 : axis == 1 ? size[0] : size[0] * size[1];
   }
+};
+
+/** Replaces the samples along one axis by those that the stencils make of them. */
+Samples
+resampledAlong(std::size_t axis, const std::vector<AxisStencil> & stencils, const Samples & f, unsigned int threads)
+{
+  Samples result{ f.size, {} };
+  result.size[axis] = stencils.size();
+  result.values.resize(result.size[0] * result.size[1] * result.size[2]);
+  const std::size_t row = f.stride(axis); // neighbours along the axis are this far apart
+  const std::size_t slab = row * f.size[axis];
+  const auto        atRow = [&](std::size_t line, std::size_t node) {
+    const AxisStencil & stencil = stencils[node];
+    const double *      source = f.values.data() + line * slab + static_cast<std::size_t>(stencil.first) * row;
+    double *            target = result.values.data() + (line * stencils.size() + node) * row;
+    for (std::size_t x = 0; x < row; ++x)
+    {
+      double value = 0.0;
+      for (std::size_t c = 0; c < static_cast<std::size_t>(stencil.count); ++c)
+      {
+        value += stencil.weights[c] * source[c * row + x];
+      }
+      target[x] = value;
+    }
+  };
+  constexpr std::size_t valuesPerBlock = 16384;
+  const std::size_t     rows = result.values.size() / row;
+  parallelForBlocks(rows, 1 + valuesPerBlock / row, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r)
+    {
+      atRow(r / stencils.size(), r % stencils.size());
+    }
+  });
   return result;
+}
+
+/** Slices beyond the label mirror its last slice and move away; then all values are saturated. */
+void
+completeSlicesInPlace(Samples & f, std::size_t axis, const std::array<int, 2> & occupied, double sliceThickness)
+{
+  const double              saturation = saturationInSlices * sliceThickness;
+  const std::vector<double> inSlice = f.values;
+  const std::size_t         stride = f.stride(axis);
+  for (std::size_t sample = 0; sample < inSlice.size(); ++sample)
+  {
+    const int slice = static_cast<int>(sample / stride % f.size[axis]);
+    const int source = std::min(std::max(slice, occupied[0]), occupied[1]);
+    double    value =
+      inSlice[sample + stride * static_cast<std::size_t>(source) - stride * static_cast<std::size_t>(slice)];
+    if (source != slice)
+    {
+      value = std::abs(value) + (std::abs(slice - source) - 1) * sliceThickness;
+    }
+    f.values[sample] = saturation * std::tanh(value / saturation);
+  }
 }
 
 } // namespace
@@ -152,47 +179,38 @@ gridAround(const LabelVolume & label, double spacing, double margin)
 }
 
 LevelSet
-interpolateShape(const LabelVolume & label, const RegularGrid & grid, int sliceAxis)
+interpolateShape(const LabelVolume & label, const RegularGrid & grid, int sliceAxis, unsigned int threads)
 {
-  const std::vector<double> distance =
-    sliceAxis < 0 ? voxelSignedDistance(label, { { true, true, true } }) : saturatedSliceDistance(label, sliceAxis);
+  std::array<bool, 3> inSlice{ { true, true, true } };
+  if (sliceAxis >= 0)
+  {
+    inSlice[static_cast<std::size_t>(sliceAxis)] = false;
+  }
+  Samples f;
+  std::copy(label.size.begin(), label.size.end(), f.size.begin());
+  f.values = voxelSignedDistance(label, inSlice, threads);
 
-  const Vector3                           firstNode = label.direction.transpose() * (grid.origin - label.origin);
-  std::array<std::vector<AxisStencil>, 3> stencils;
+  const Vector3 firstNode = label.direction.transpose() * (grid.origin - label.origin);
+  const auto    resampleAlong = [&](std::size_t axis) {
+    const int  a = static_cast<int>(axis);
+    const auto stencils =
+      axisStencils(grid.size[axis], grid.spacing, firstNode[a], label.size[axis], label.spacing[a], a == sliceAxis);
+    f = resampledAlong(axis, stencils, f, threads);
+  };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const int a = static_cast<int>(axis);
-    stencils[axis] =
-      axisStencils(grid.size[axis], grid.spacing, firstNode[a], label.size[axis], label.spacing[a], a == sliceAxis);
-  }
-
-  LevelSet    f{ grid, std::vector<double>(grid.nodeCount()) };
-  std::size_t node = 0;
-  for (const AxisStencil & z : stencils[2])
-  {
-    for (const AxisStencil & y : stencils[1])
+    if (inSlice[axis])
     {
-      for (const AxisStencil & x : stencils[0])
-      {
-        double value = 0.0;
-        for (int c = 0; c < z.count; ++c)
-        {
-          for (int b = 0; b < y.count; ++b)
-          {
-            const double * row = distance.data() + label.voxelNumber(x.first, y.first + b, z.first + c);
-            double         rowValue = 0.0;
-            for (int a = 0; a < x.count; ++a)
-            {
-              rowValue += x.weights[static_cast<std::size_t>(a)] * row[a];
-            }
-            value += z.weights[static_cast<std::size_t>(c)] * y.weights[static_cast<std::size_t>(b)] * rowValue;
-          }
-        }
-        f.values[node++] = value;
-      }
+      resampleAlong(axis);
     }
   }
-  return f;
+  if (sliceAxis >= 0)
+  {
+    const auto axis = static_cast<std::size_t>(sliceAxis);
+    completeSlicesInPlace(f, axis, occupiedSlices(label, axis), label.spacing[sliceAxis]);
+    resampleAlong(axis);
+  }
+  return { grid, std::move(f.values) };
 }
 
 } // namespace moserhex::detail

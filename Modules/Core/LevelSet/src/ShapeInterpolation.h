@@ -17,10 +17,10 @@ gridAround(const LabelVolume & label, double spacing, double margin);
 
 /** Signed distance of a ball-shaped label on the nodes of a grid along the image axes [mm].
  *
- * sliceAxis < 0: distance in three dimensions, trilinear. Otherwise per slice, saturated at three slices, slices beyond
- * the ends mirrored, Catmull-Rom across slices and linear within. The label must carry enough empty voxels around it to
+ * sliceAxis < 0: distance in three dimensions, trilinear. Otherwise per slice and linear within, slices beyond the ends
+ * mirrored, saturated at three slices, Catmull-Rom across slices. The label must carry enough empty voxels around it to
  * cover the grid. */
 [[nodiscard]] LevelSet
-interpolateShape(const LabelVolume & label, const RegularGrid & grid, int sliceAxis);
+interpolateShape(const LabelVolume & label, const RegularGrid & grid, int sliceAxis, unsigned int threads);
 
 } // namespace moserhex::detail

@@ -1,6 +1,7 @@
 #include "moserhex/LevelSet/SignedDistance.h"
 
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,151 +14,185 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/** One-dimensional squared distance transform: f(q) = min over p of f(p) + (s (q - p))^2, in place. */
+/** One-dimensional squared distance transform of a line in which voxels of two kinds alternate in runs:
+ *
+ *   f(q) = min over p of f(p) + (s (q - p))^2
+ *
+ * over the voxels p of q's own run and the two that bound it, which are of the other kind, so 0 away from it. No voxel
+ * beyond these can be nearer. */
 class LowerEnvelope
 {
 public:
-  explicit LowerEnvelope(int length)
-    : m_Parabola(static_cast<std::size_t>(length))
-    , m_From(static_cast<std::size_t>(length))
-    , m_Value(static_cast<std::size_t>(length))
+  LowerEnvelope(std::size_t length, double spacing)
+    : m_SquaredSpacing(spacing * spacing), m_Parabola(length + 2), m_From(length + 2), m_Value(length + 2)
   {}
 
   void
-  apply(double * f, double spacing)
+  apply(double * f, const std::uint8_t * kind, int length)
   {
-    const int    length = static_cast<int>(m_Parabola.size());
-    const double s2 = spacing * spacing;
-    int          last = -1; // the envelope's last parabola
-    for (int q = 0; q < length; ++q)
+    for (int begin = 0, end = 0; begin < length; begin = end)
     {
-      if (f[q] == infinity)
+      for (end = begin + 1; end < length && kind[end] == kind[begin];)
       {
-        continue;
+        ++end;
       }
-      double from = -infinity; // the new parabola is the lowest from here on
-      for (; last >= 0; --last)
+      m_Last = -1;
+      if (begin > 0)
       {
-        const int    p = m_Parabola[static_cast<std::size_t>(last)];
-        const double value = m_Value[static_cast<std::size_t>(last)];
-        from = 0.5 * (p + q) + (f[q] - value) / (2.0 * s2 * (q - p));
-        if (from > m_From[static_cast<std::size_t>(last)])
+        add(begin - 1, 0.0);
+      }
+      for (int q = begin; q < end; ++q)
+      {
+        if (f[q] < infinity)
         {
-          break;
+          add(q, f[q]);
         }
       }
-      ++last;
-      m_Parabola[static_cast<std::size_t>(last)] = q;
-      m_Value[static_cast<std::size_t>(last)] = f[q];
-      m_From[static_cast<std::size_t>(last)] = last == 0 ? -infinity : from;
-    }
-    if (last < 0)
-    {
-      return;
-    }
-    int current = 0;
-    for (int q = 0; q < length; ++q)
-    {
-      while (current < last && m_From[static_cast<std::size_t>(current) + 1] < q)
+      if (end < length)
       {
-        ++current;
+        add(end, 0.0);
       }
-      const double distance = spacing * (q - m_Parabola[static_cast<std::size_t>(current)]);
-      f[q] = distance * distance + m_Value[static_cast<std::size_t>(current)];
+      evaluate(f, begin, end);
     }
   }
 
 private:
-  std::vector<int>    m_Parabola; ///< its apex
-  std::vector<double> m_From;     ///< where it becomes the lowest
-  std::vector<double> m_Value;    ///< at its apex
+  void
+  add(int q, double value)
+  {
+    double from = -infinity; // the new parabola is the lowest from here on
+    for (; m_Last >= 0; --m_Last)
+    {
+      const auto last = static_cast<std::size_t>(m_Last);
+      const int  p = m_Parabola[last];
+      from = 0.5 * (p + q) + (value - m_Value[last]) / (2.0 * m_SquaredSpacing * (q - p));
+      if (from > m_From[last])
+      {
+        break;
+      }
+    }
+    const auto last = static_cast<std::size_t>(++m_Last);
+    m_Parabola[last] = q;
+    m_Value[last] = value;
+    m_From[last] = m_Last == 0 ? -infinity : from;
+  }
+
+  void
+  evaluate(double * f, int begin, int end) const
+  {
+    if (m_Last < 0)
+    {
+      return;
+    }
+    const auto  last = static_cast<std::size_t>(m_Last);
+    std::size_t current = 0;
+    for (int q = begin; q < end; ++q)
+    {
+      while (current < last && m_From[current + 1] < q)
+      {
+        ++current;
+      }
+      const double steps = q - m_Parabola[current];
+      f[q] = m_SquaredSpacing * steps * steps + m_Value[current];
+    }
+  }
+
+  double              m_SquaredSpacing;
+  int                 m_Last{ -1 }; ///< the envelope's last parabola
+  std::vector<int>    m_Parabola;   ///< its apex
+  std::vector<double> m_From;       ///< where it becomes the lowest
+  std::vector<double> m_Value;      ///< at its apex
 };
 
 /** Applies the transform to all lines along axis 1 or 2, eight neighbouring lines at a time for the sake of the cache.
  */
 void
-transformAlong(std::vector<double> & f, const std::array<int, 3> & size, std::size_t axis, double spacing)
+transformAlong(std::vector<double> & f, const LabelVolume & label, std::size_t axis, unsigned int threads)
 {
   constexpr std::size_t batch = 8;
-  const auto            length = static_cast<std::size_t>(size[axis]);
+  constexpr std::size_t batchesPerBlock = 16;
+  const auto            length = static_cast<std::size_t>(label.size[axis]);
+  const double          spacing = label.spacing[static_cast<int>(axis)];
   std::size_t           stride = 1;
   for (std::size_t a = 0; a < axis; ++a)
   {
-    stride *= static_cast<std::size_t>(size[a]);
+    stride *= static_cast<std::size_t>(label.size[a]);
   }
-  LowerEnvelope       envelope(size[axis]);
-  std::vector<double> lines(batch * length);
-  for (std::size_t block = 0; block < f.size(); block += stride * length)
-  {
-    for (std::size_t start = 0; start < stride; start += batch)
+  const std::size_t batches = (stride + batch - 1) / batch; // of a slab of lines
+  const std::size_t slabs = f.size() / (stride * length);
+  parallelForBlocks(slabs * batches, batchesPerBlock, threads, [&](std::size_t begin, std::size_t end) {
+    LowerEnvelope             envelope(length, spacing);
+    std::vector<double>       lines(batch * length);
+    std::vector<std::uint8_t> kinds(batch * length);
+    for (std::size_t item = begin; item < end; ++item)
     {
+      const std::size_t start = item % batches * batch;
       const std::size_t count = std::min(batch, stride - start);
-      double *          first = f.data() + block + start;
+      const std::size_t first = item / batches * stride * length + start;
       for (std::size_t q = 0; q < length; ++q)
       {
         for (std::size_t line = 0; line < count; ++line)
         {
-          lines[line * length + q] = first[q * stride + line];
+          const std::size_t voxel = first + q * stride + line;
+          lines[line * length + q] = f[voxel];
+          kinds[line * length + q] = label.inside[voxel] != 0 ? 1 : 0;
         }
       }
       for (std::size_t line = 0; line < count; ++line)
       {
-        envelope.apply(lines.data() + line * length, spacing);
+        envelope.apply(lines.data() + line * length, kinds.data() + line * length, static_cast<int>(length));
       }
       for (std::size_t q = 0; q < length; ++q)
       {
         for (std::size_t line = 0; line < count; ++line)
         {
-          first[q * stride + line] = lines[line * length + q];
+          f[first + q * stride + line] = lines[line * length + q];
         }
       }
     }
-  }
+  });
 }
 
-/** Squared distance along axis 0 to the nearest voxel of the kind asked for: one scan each way. */
+/** Squared distance along axis 0 to the nearest voxel of the other kind: one scan each way. */
 void
-startAlongRows(const LabelVolume & label, bool inside, std::vector<double> & squared)
+startAlongRows(const LabelVolume & label, std::vector<double> & squared)
 {
   const auto   length = static_cast<std::size_t>(label.size[0]);
   const double spacing = label.spacing[0];
   for (std::size_t first = 0; first < squared.size(); first += length)
   {
+    const auto sameKind = [&](std::size_t voxel, std::size_t other) {
+      return (label.inside[voxel] != 0) == (label.inside[other] != 0);
+    };
     double distance = infinity;
-    for (std::size_t voxel = first; voxel < first + length; ++voxel)
+    for (std::size_t voxel = first + 1; voxel < first + length; ++voxel)
     {
-      distance = (label.inside[voxel] != 0) == inside ? 0.0 : distance + spacing;
+      distance = (sameKind(voxel, voxel - 1) ? distance : 0.0) + spacing;
       squared[voxel] = distance * distance;
     }
     distance = infinity;
-    for (std::size_t voxel = first + length; voxel-- > first;)
+    for (std::size_t voxel = first + length - 1; voxel-- > first;)
     {
-      distance = (label.inside[voxel] != 0) == inside ? 0.0 : distance + spacing;
+      distance = (sameKind(voxel, voxel + 1) ? distance : 0.0) + spacing;
       squared[voxel] = std::min(squared[voxel], distance * distance);
     }
   }
 }
 
-/** Squared distance of every voxel centre to the nearest centre of the kind asked for. */
+/** Squared distance of every voxel centre to the nearest centre of the other kind. */
 std::vector<double>
-squaredDistanceTo(const LabelVolume & label, bool inside, const std::array<bool, 3> & axes)
+squaredDistanceToOtherKind(const LabelVolume & label, const std::array<bool, 3> & axes, unsigned int threads)
 {
-  std::vector<double> squared(label.inside.size());
+  std::vector<double> squared(label.inside.size(), infinity);
   if (axes[0])
   {
-    startAlongRows(label, inside, squared);
-  }
-  else
-  {
-    std::transform(label.inside.begin(), label.inside.end(), squared.begin(), [&](std::uint8_t value) {
-      return (value != 0) == inside ? 0.0 : infinity;
-    });
+    startAlongRows(label, squared);
   }
   for (std::size_t axis = 1; axis < 3; ++axis)
   {
     if (axes[axis])
     {
-      transformAlong(squared, label.size, axis, label.spacing[static_cast<int>(axis)]);
+      transformAlong(squared, label, axis, threads);
     }
   }
   return squared;
@@ -166,7 +201,7 @@ squaredDistanceTo(const LabelVolume & label, bool inside, const std::array<bool,
 } // namespace
 
 std::vector<double>
-voxelSignedDistance(const LabelVolume & label, const std::array<bool, 3> & axes)
+voxelSignedDistance(const LabelVolume & label, const std::array<bool, 3> & axes, unsigned int threads)
 {
   requireValid(label, "signed distance");
   double smallestSpacing = infinity;
@@ -181,12 +216,12 @@ voxelSignedDistance(const LabelVolume & label, const std::array<bool, 3> & axes)
   {
     throw InvalidInput("signed distance: no axis chosen");
   }
-  std::vector<double>       distance = squaredDistanceTo(label, true, axes);
-  const std::vector<double> toOutside = squaredDistanceTo(label, false, axes);
-  const double              half = 0.5 * smallestSpacing;
+  std::vector<double> distance = squaredDistanceToOtherKind(label, axes, threads);
+  const double        half = 0.5 * smallestSpacing;
   for (std::size_t voxel = 0; voxel < distance.size(); ++voxel)
   {
-    distance[voxel] = label.inside[voxel] != 0 ? half - std::sqrt(toOutside[voxel]) : std::sqrt(distance[voxel]) - half;
+    const double toFace = std::sqrt(distance[voxel]) - half;
+    distance[voxel] = label.inside[voxel] != 0 ? -toFace : toFace;
   }
   return distance;
 }

@@ -72,68 +72,95 @@ VolumeBelowLevel::VolumeBelowLevel(const LevelSet & levelSet)
     }
   }
   const RegularGrid & grid = levelSet.grid;
-  const auto          rowLength = static_cast<std::size_t>(grid.size[0] - 1);
-  m_Smallest.reserve(grid.nodeCount());
-  m_Largest.reserve(grid.nodeCount());
+  m_Smallest.assign(grid.nodeCount(), std::numeric_limits<double>::infinity());
+  m_Largest.assign(grid.nodeCount(), std::numeric_limits<double>::infinity());
   for (int k = 0; k + 1 < grid.size[2]; ++k)
   {
     for (int j = 0; j + 1 < grid.size[1]; ++j)
     {
-      const double * row00 = levelSet.values.data() + grid.nodeNumber(0, j, k);
-      const double * row10 = levelSet.values.data() + grid.nodeNumber(0, j + 1, k);
-      const double * row01 = levelSet.values.data() + grid.nodeNumber(0, j, k + 1);
-      const double * row11 = levelSet.values.data() + grid.nodeNumber(0, j + 1, k + 1);
-      const auto     smallest = [&](std::size_t i) {
+      const std::size_t first = grid.nodeNumber(0, j, k);
+      const double *    row00 = levelSet.values.data() + first;
+      const double *    row10 = levelSet.values.data() + grid.nodeNumber(0, j + 1, k);
+      const double *    row01 = levelSet.values.data() + grid.nodeNumber(0, j, k + 1);
+      const double *    row11 = levelSet.values.data() + grid.nodeNumber(0, j + 1, k + 1);
+      const auto        smallest = [&](std::size_t i) {
         return std::min(std::min(row00[i], row10[i]), std::min(row01[i], row11[i]));
       };
       const auto largest = [&](std::size_t i) {
         return std::max(std::max(row00[i], row10[i]), std::max(row01[i], row11[i]));
       };
-      for (std::size_t i = 0; i < rowLength; ++i)
+      for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(grid.size[0]); ++i)
       {
-        m_Smallest.push_back(std::min(smallest(i), smallest(i + 1)));
-        m_Largest.push_back(std::max(largest(i), largest(i + 1)));
+        m_Smallest[first + i] = std::min(smallest(i), smallest(i + 1));
+        m_Largest[first + i] = std::max(largest(i), largest(i + 1));
       }
     }
   }
 }
 
-double
-VolumeBelowLevel::volume(double level) const
+VolumeBelowLevel::Cubes
+VolumeBelowLevel::cubesBetween(double lower, double upper) const
 {
-  const RegularGrid & grid = m_LevelSet.grid;
-  std::size_t         wholeCubes = 0;
-  double              tetrahedra = 0.0;
-  std::size_t         cube = 0;
-  for (int k = 0; k + 1 < grid.size[2]; ++k)
+  Cubes cubes;
+  for (std::size_t cube = 0; cube < m_Smallest.size(); ++cube)
   {
-    for (int j = 0; j + 1 < grid.size[1]; ++j)
+    if (isPartial(cube, lower, upper, cubes))
     {
-      for (int i = 0; i + 1 < grid.size[0]; ++i, ++cube)
-      {
-        if (m_Smallest[cube] >= level)
-        {
-          continue;
-        }
-        if (m_Largest[cube] < level)
-        {
-          ++wholeCubes;
-          continue;
-        }
-        const double *        base = m_LevelSet.values.data() + grid.nodeNumber(i, j, k);
-        std::array<double, 8> corner{};
-        for (unsigned int c = 0; c < 8; ++c)
-        {
-          corner[c] = base[grid.stride(c & 1u, c >> 1 & 1u, c >> 2)];
-        }
-        for (const auto & path : detail::kuhnPaths)
-        {
-          tetrahedra += fractionBelow({ { corner[0], corner[path[1]], corner[path[2]], corner[7] } }, level);
-        }
-      }
+      cubes.partial.push_back(cube);
+    }
+  }
+  return cubes;
+}
+
+void
+VolumeBelowLevel::narrow(Cubes & cubes, double lower, double upper) const
+{
+  const auto end = std::remove_if(cubes.partial.begin(), cubes.partial.end(), [&](std::size_t cube) {
+    return !isPartial(cube, lower, upper, cubes);
+  });
+  cubes.partial.erase(end, cubes.partial.end());
+}
+
+double
+VolumeBelowLevel::volume(double level, const Cubes & cubes) const
+{
+  const RegularGrid &           grid = m_LevelSet.grid;
+  std::array<std::ptrdiff_t, 8> strides{};
+  for (unsigned int c = 0; c < 8; ++c)
+  {
+    strides[c] = grid.stride(c & 1u, c >> 1 & 1u, c >> 2);
+  }
+  std::size_t wholeCubes = cubes.whole;
+  double      tetrahedra = 0.0;
+  for (const std::size_t cube : cubes.partial)
+  {
+    if (m_Smallest[cube] >= level)
+    {
+      continue;
+    }
+    if (m_Largest[cube] < level)
+    {
+      ++wholeCubes;
+      continue;
+    }
+    const double *        base = m_LevelSet.values.data() + cube;
+    std::array<double, 8> corner{};
+    for (unsigned int c = 0; c < 8; ++c)
+    {
+      corner[c] = base[strides[c]];
+    }
+    for (const auto & path : detail::kuhnPaths)
+    {
+      tetrahedra += fractionBelow({ { corner[0], corner[path[1]], corner[path[2]], corner[7] } }, level);
     }
   }
   return grid.cellVolume() * (static_cast<double>(wholeCubes) + tetrahedra / 6.0);
+}
+
+double
+VolumeBelowLevel::volume(double level) const
+{
+  return volume(level, cubesBetween(level, level));
 }
 
 double
@@ -147,8 +174,9 @@ levelOfVolume(const VolumeBelowLevel & prepared, double volume, const LevelOfVol
 {
   double       lower = std::isfinite(options.lower) ? options.lower : prepared.smallestValue();
   double       upper = std::isfinite(options.upper) ? options.upper : prepared.largestFiniteValue();
-  double       lowerError = prepared.volume(lower) - volume;
-  double       upperError = prepared.volume(upper) - volume;
+  auto         cubes = prepared.cubesBetween(lower, upper);
+  double       lowerError = prepared.volume(lower, cubes) - volume;
+  double       upperError = prepared.volume(upper, cubes) - volume;
   const double tolerance = options.relativeTolerance * volume;
   if (!(lowerError <= tolerance && upperError >= -tolerance))
   {
@@ -183,7 +211,7 @@ levelOfVolume(const VolumeBelowLevel & prepared, double volume, const LevelOfVol
     {
       break; // neighbouring numbers: the volume jumps here
     }
-    const double error = prepared.volume(middle) - volume;
+    const double error = prepared.volume(middle, cubes) - volume;
     report.residual = std::abs(error) / volume;
     if (std::abs(error) <= tolerance)
     {
@@ -201,6 +229,7 @@ levelOfVolume(const VolumeBelowLevel & prepared, double volume, const LevelOfVol
       weightUpper = error;
       weightLower *= 0.5;
     }
+    prepared.narrow(cubes, lower, upper);
     ++stepsSinceHalved;
     if (upper - lower <= 0.5 * widthToHalve)
     {

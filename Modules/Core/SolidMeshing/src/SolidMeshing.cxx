@@ -26,6 +26,8 @@ namespace
 
 /** Area ratio rms that is enough of a sphere map that only starts the optimisation [1]. */
 constexpr double fastAreaTolerance = 0.05;
+/** Volume error that is enough of a shell that only starts the optimisation [1]. */
+constexpr double fastVolumeTolerance = 5e-4;
 
 /** Newton steps that put a point near a level set onto it. */
 constexpr int projectionIterations = 4;
@@ -138,6 +140,18 @@ bool
 isFast(const SolidMeshingOptions & options)
 {
   return options.lastStage == MeshingStage::Exact && options.way == MeshingWay::Fast;
+}
+
+ShellSurfaceOptions
+shellSurfaceOptions(const SolidMeshingOptions & options)
+{
+  ShellSurfaceOptions surfaces = options.surfaces;
+  surfaces.threads = options.threads;
+  if (isFast(options))
+  {
+    surfaces.volumeTolerance = std::max(surfaces.volumeTolerance, fastVolumeTolerance);
+  }
+  return surfaces;
 }
 
 SignedDistance
@@ -320,16 +334,26 @@ meshSolid(const LevelSet &            ordering,
           const SolidMeshingOptions & options,
           const ProgressCallback &    progress)
 {
+  return meshSolid(ordering, phi, phi, volume, options, progress);
+}
+
+SolidMeshingResult
+meshSolid(const LevelSet &            ordering,
+          const LevelSet &            orderedPhi,
+          const LevelSet &            phi,
+          double                      volume,
+          const SolidMeshingOptions & options,
+          const ProgressCallback &    progress)
+{
   SolidMeshingResult result;
   StageLog           log(result.stages);
 
   // C. Shell surfaces.
-  ShellSurfaceOptions surfaceOptions = options.surfaces;
-  surfaceOptions.threads = options.threads;
+  const ShellSurfaceOptions surfaceOptions = shellSurfaceOptions(options);
   const std::vector<double> fractions =
     options.volumeFractions.empty() ? cubeVolumeFractions(shellsToExtract(options)) : options.volumeFractions;
   std::vector<ShellSurface> shells = extractShellSurfaces(
-    ordering, phi, volume, fractions, surfaceOptions, progressBetween(progress, 0.0, afterSurfaces));
+    ordering, orderedPhi, volume, fractions, surfaceOptions, progressBetween(progress, 0.0, afterSurfaces));
   result.shells = summarizeShells(shells, surfaceOptions);
   result.warnings = result.shells.warnings;
   std::vector<TriangleMesh> surfaces;
@@ -382,21 +406,24 @@ meshSolid(const LevelSet &            ordering,
 
   // F, G. Initial map: the cube shells' nodes on the organ's shells, then onto the exact level sets.
   const CubicInterpolator  orderingAt(ordering);
+  const CubicInterpolator  orderedPhiAt(orderedPhi);
   const CubicInterpolator  phiAt(phi);
   const ClosestPointSearch outerSurface(surfaces.back());
-  const double             maximumStep = 0.5 * phi.grid.spacing;
+  const double             maximumStep = 0.5 * orderedPhi.grid.spacing;
   InitialMapOptions        initialOptions;
   initialOptions.cubeShells = options.cubeShells;
   initialOptions.threads = options.threads;
   initialOptions.projection = [&](int shell, const Vector3 & p) {
     const std::size_t k = static_cast<std::size_t>(shell) - 1;
-    return projectToLevel(k + 1 == count ? phiAt : orderingAt, p, shells[k].level, maximumStep, projectionIterations);
+    return projectToLevel(
+      k + 1 == count ? orderedPhiAt : orderingAt, p, shells[k].level, maximumStep, projectionIterations);
   };
   result.mesh = initialMap(surfaces, maps, initialOptions, progressBetween(progress, afterSphereMaps, afterInitialMap));
   log.add("initial map", result.mesh);
 
   // H. Smoothing.
-  const SurfaceProjection projection = projectionOnto(outerSurface, phiAt, shells.back().level);
+  const double            surfaceLevel = isFast(options) ? 0.0 : shells.back().level;
+  const SurfaceProjection projection = projectionOnto(outerSurface, phiAt, surfaceLevel);
   if (options.lastStage != MeshingStage::Initial && !isFast(options))
   {
     result.mesh = smoothLattice(result.mesh, projection, options.smoothing);
@@ -451,7 +478,7 @@ meshSolid(const LevelSet &            ordering,
     }
     requireExact(*result.equalisation, options, result.warnings);
   }
-  result.boundary = boundaryDistance(result.mesh, nearestPointOn(outerSurface, phiAt, shells.back().level));
+  result.boundary = boundaryDistance(result.mesh, nearestPointOn(outerSurface, phiAt, surfaceLevel));
   reportProgress(progress, 1.0);
   return result;
 }

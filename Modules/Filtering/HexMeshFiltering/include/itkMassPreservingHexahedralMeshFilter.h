@@ -8,6 +8,7 @@
 #include "itkLabelVolumeConversion.h"
 #include "itkLevelSetToShellOrderingImageFilter.h"
 
+#include "moserhex/LevelSet/CoarseSolid.h"
 #include "moserhex/LevelSet/LabelDensity.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 

@@ -74,18 +74,18 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   m_ConditioningReport = conditioning->GetReport();
   m_LabelVolume = conditioning->GetLabelVolume();
 
-  double     orderingSeconds = 0.0;
-  const auto meshFrom = [&](ShellMethod method) {
+  const moserhex::LevelSet     phi = LevelSetFromImage(conditioning->GetOutput());
+  moserhex::MeshingStageReport orderingStage{ "shell ordering", 0.0, {}, {} };
+  const auto                   meshFrom = [&](ShellMethod method, const moserhex::LevelSet & orderedPhi) {
     typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
-    ordering->SetInput(conditioning->GetOutput());
+    ordering->SetInput(ImageFromLevelSet<LevelSetImageType>(orderedPhi));
     ordering->SetMethod(method);
     ordering->SetNumberOfShells(moserhex::shellsToExtract(m_Options));
-    orderingSeconds = this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
+    orderingStage.seconds += this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
 
     moserhex::SolidMeshingOptions options = m_Options;
     options.threads = this->GetNumberOfWorkUnits();
     options.volumeFractions = ordering->GetVolumeFractions();
-    const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
     const moserhex::LevelSet order = LevelSetFromImage(ordering->GetOutput());
     m_Result = RunCoreAlgorithm(
       this,
@@ -98,7 +98,8 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
                                              options.threads);
           options.density = &onLabel->density;
         }
-        moserhex::SolidMeshingResult result = moserhex::meshSolid(order, phi, m_LabelVolume, options, progress);
+        moserhex::SolidMeshingResult result =
+          moserhex::meshSolid(order, orderedPhi, phi, m_LabelVolume, options, progress);
         if (onLabel)
         {
           result.warnings.insert(result.warnings.begin(), onLabel->warnings.begin(), onLabel->warnings.end());
@@ -112,7 +113,22 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   };
   try
   {
-    meshFrom(this->GetShellMethod());
+    if (moserhex::shellsToExtract(m_Options) < m_Options.shells)
+    {
+      const moserhex::Stopwatch   stopwatch;
+      const moserhex::CoarseSolid coarse = RunCoreAlgorithm(
+        this,
+        [&](const moserhex::ProgressCallback &) { return moserhex::coarseSolid(phi, m_LabelVolume); },
+        afterConditioning,
+        afterConditioning);
+      orderingStage.seconds = stopwatch.seconds();
+      orderingStage.note = moserhex::describe(coarse);
+      meshFrom(this->GetShellMethod(), coarse.levelSet);
+    }
+    else
+    {
+      meshFrom(this->GetShellMethod(), phi);
+    }
   }
   catch (const NotConvergedError & error)
   {
@@ -121,14 +137,14 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
       throw;
     }
     const std::string reason = error.GetDescription();
-    meshFrom(ShellMethod::ChanVese);
+    orderingStage = { "shell ordering", 0.0, {}, {} };
+    meshFrom(ShellMethod::ChanVese, phi);
     m_Result.warnings.push_back("shells from Chan-Vese fronts, as eikonal ones did not do: " + reason);
   }
 
   const std::vector<std::string> warnings = moserhex::warningsOf(m_ConditioningReport);
   m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
-  const moserhex::MeshingStageReport first[2] = { { "conditioning", conditioningSeconds, {}, {} },
-                                                  { "shell ordering", orderingSeconds, {}, {} } };
+  const moserhex::MeshingStageReport first[2] = { { "conditioning", conditioningSeconds, {}, {} }, orderingStage };
   m_Result.stages.insert(m_Result.stages.begin(), first, first + 2);
   CopyHexMeshToItk(m_Result.mesh, this->GetOutput());
 }

@@ -69,6 +69,7 @@ LabelConditioningImageFilter<TLabelImage, TOutputImage>::GenerateData()
     name << "label " << static_cast<typename NumericTraits<LabelType>::PrintType>(m_Label);
     moserhex::ConditioningOptions options = m_Options;
     options.labelName = name.str();
+    options.threads = this->GetNumberOfWorkUnits();
     return moserhex::conditionLabel(LabelVolumeFromImage(input, m_Label), options, progress);
   });
   m_Report = solid.report;

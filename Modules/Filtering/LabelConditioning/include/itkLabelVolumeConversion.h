@@ -49,14 +49,14 @@ LabelVolumeFromImage(const TImage * image, const typename TImage::PixelType & la
   moserhex::LabelVolume volume{ VoxelGridFromImage(image), {} };
   const auto *          first = image->GetBufferPointer();
   volume.inside.resize(volume.gridVoxels());
-  bool any = false;
+  std::uint8_t any = 0;
   for (std::size_t voxel = 0; voxel < volume.inside.size(); ++voxel)
   {
-    const bool inside = first[voxel] == label;
-    volume.inside[voxel] = inside ? 1 : 0;
-    any = any || inside;
+    const auto inside = static_cast<std::uint8_t>(first[voxel] == label);
+    volume.inside[voxel] = inside;
+    any |= inside;
   }
-  if (!any)
+  if (any == 0)
   {
     std::ostringstream message;
     message << "label " << static_cast<typename NumericTraits<typename TImage::PixelType>::PrintType>(label)

@@ -31,6 +31,9 @@ struct ConditioningOptions
 
   /** How messages name the label. */
   std::string labelName{ "label" };
+
+  /** 0: all of the machine's; the result does not depend on it. */
+  unsigned int threads{ 0 };
 };
 
 /** What was changed on the way from the voxels to the level set. */

@@ -41,6 +41,25 @@ public:
   [[nodiscard]] double
   volume(double level) const;
 
+  /** The cubes whose part below a level depends on where in a bracket the level is. */
+  struct Cubes
+  {
+    std::size_t              whole{ 0 }; ///< cubes below all levels of the bracket
+    std::vector<std::size_t> partial;    ///< first nodes of the others that reach below, in increasing order
+  };
+
+  /** For levels in [lower, upper]. */
+  [[nodiscard]] Cubes
+  cubesBetween(double lower, double upper) const;
+
+  /** Leaves in `cubes`, of a wider bracket, what levels in [lower, upper] need. */
+  void
+  narrow(Cubes & cubes, double lower, double upper) const;
+
+  /** volume(level), bit for bit, from the cubes of a bracket that holds the level. */
+  [[nodiscard]] double
+  volume(double level, const Cubes & cubes) const;
+
   [[nodiscard]] double
   smallestValue() const
   {
@@ -54,10 +73,19 @@ public:
   }
 
 private:
+  /** Counts the cube when it is below all levels; true when it stays among the others. */
+  [[nodiscard]] bool
+  isPartial(std::size_t cube, double lower, double upper, Cubes & cubes) const
+  {
+    const bool whole = m_Largest[cube] < lower;
+    cubes.whole += whole ? 1 : 0;
+    return !whole && m_Smallest[cube] < upper;
+  }
+
   const LevelSet &    m_LevelSet;
   double              m_SmallestValue;
   double              m_LargestFiniteValue;
-  std::vector<double> m_Smallest; ///< per cube
+  std::vector<double> m_Smallest; ///< per cube, at its first node; a node without a cube has +infinity
   std::vector<double> m_Largest;
 };
 

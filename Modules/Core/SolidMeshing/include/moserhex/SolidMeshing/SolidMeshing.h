@@ -136,6 +136,19 @@ meshSolid(const LevelSet &            ordering,
           const SolidMeshingOptions & options = {},
           const ProgressCallback &    progress = {});
 
+/** The same with shells from another grid, for the few shells of the fast way, which only start the optimisation.
+ *
+ * \param ordering    of shellOrdering for `orderedPhi`, same grid as that     [1]
+ * \param orderedPhi  the solid on the shells' grid, as of coarseSolid         [mm]
+ * \param phi         the solid whose surface the mesh gets, any grid          [mm] */
+[[nodiscard]] SolidMeshingResult
+meshSolid(const LevelSet &            ordering,
+          const LevelSet &            orderedPhi,
+          const LevelSet &            phi,
+          double                      volume,
+          const SolidMeshingOptions & options = {},
+          const ProgressCallback &    progress = {});
+
 /** Turns the maps of shells N-1, ..., 1 one after the other so that each agrees with the next larger shell's: vertices
  * of shell k are sent to their closest points on shell k+1, and the rotation that brings the two images together in the
  * least-squares sense is applied to the map of shell k.
