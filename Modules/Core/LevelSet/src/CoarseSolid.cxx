@@ -149,10 +149,14 @@ coarseSolid(const LevelSet & phi, double volume, const CoarseSolidOptions & opti
   for (; spacing > smallestGain * phi.grid.spacing; spacing *= options.refinement, ++solid.refinements)
   {
     solid.levelSet = resampled(phi, extent, spacing);
-    if (isBall(solid.levelSet) &&
-        std::abs(VolumeBelowLevel(solid.levelSet).volume(0.0) / volume - 1.0) <= options.acceptedVolumeChange)
+    if (!isBall(solid.levelSet))
     {
-      detail::makeLevelsSphericalInPlace(solid.levelSet, sphericalBand * spacing);
+      continue;
+    }
+    detail::makeLevelsSphericalInPlace(solid.levelSet, sphericalBand * spacing);
+    const double change = VolumeBelowLevel(solid.levelSet).volume(0.0) / volume - 1.0;
+    if (std::abs(change) <= options.acceptedVolumeChange)
+    {
       return solid;
     }
   }

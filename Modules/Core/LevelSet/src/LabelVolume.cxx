@@ -8,6 +8,19 @@
 
 namespace moserhex
 {
+namespace
+{
+
+/** Any of these voxels is inside. All are looked at: a loop without a way out takes many at a time. */
+bool
+anyInside(const std::uint8_t * begin, const std::uint8_t * end)
+{
+  return std::accumulate(begin, end, std::uint8_t{ 0 }, [](std::uint8_t a, std::uint8_t b) {
+           return static_cast<std::uint8_t>(a | b);
+         }) != 0;
+}
+
+} // namespace
 
 std::size_t
 voxelCount(const LabelVolume & label)
@@ -25,7 +38,7 @@ requireValid(const LabelVolume & label, const std::string & what)
     throw InvalidInput(what + ": " + std::to_string(label.inside.size()) + " mask entries for " +
                        std::to_string(label.gridVoxels()) + " voxels");
   }
-  if (voxelCount(label) == 0)
+  if (!anyInside(label.inside.data(), label.inside.data() + label.inside.size()))
   {
     throw InvalidInput(what + ": no voxel has this label");
   }
@@ -38,16 +51,12 @@ cropAndPad(const LabelVolume & label, const std::array<int, 3> & margin)
   std::array<int, 3> lower = label.size;
   std::array<int, 3> upper{ { -1, -1, -1 } };
   const auto         length = static_cast<std::ptrdiff_t>(label.size[0]);
-  auto               row = label.inside.begin();
+  const auto *       row = label.inside.data();
   for (int k = 0; k < label.size[2]; ++k)
   {
     for (int j = 0; j < label.size[1]; ++j, row += length)
     {
-      // Most rows of an image are empty, and a sum without a way out takes many voxels at a time.
-      const auto any = std::accumulate(row, row + length, std::uint8_t{ 0 }, [](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(a | b);
-      });
-      if (any == 0)
+      if (!anyInside(row, row + length)) // as most rows of an image
       {
         continue;
       }

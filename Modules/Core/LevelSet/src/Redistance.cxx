@@ -115,8 +115,8 @@ nearestPointOnSurface(const CubicInterpolator & f, const Vector3 & x, const Vect
 /** The nearest point of the surface that a node knows of, in grid coordinates. */
 struct NearestPoint
 {
-  Vector3 point{ Vector3::Zero() };    ///< [nodes]
-  double  squaredDistance{ infinity }; ///< [nodes^2]; infinity: none yet
+  Vector3 point{ Vector3::Constant(infinity) }; ///< [nodes]; infinitely far: none yet
+  double  squaredDistance{ infinity };          ///< [nodes^2]
 };
 using NearestPoints = std::vector<NearestPoint>;
 
@@ -207,23 +207,21 @@ scanForthAndBack(const RegularGrid & grid, const std::vector<std::uint8_t> & cho
     }
     const Vector3  x(i, j, k);
     NearestPoint & own = nearest[node];
-    const bool     border = grid.isBorder(i, j, k);
-    for (std::size_t n = 0; n < offsets.size(); ++n)
-    {
-      if (border && !(exists(i + side * offsets[n][0], 0) && exists(j + side * offsets[n][1], 1) &&
-                      exists(k + side * offsets[n][2], 2)))
-      {
-        continue;
-      }
-      const NearestPoint & other = nearest[node + static_cast<std::size_t>(side * strides[n])];
-      if (other.squaredDistance == infinity)
-      {
-        continue;
-      }
-      const double squared = (other.point - x).squaredNorm();
+    const auto     takeFrom = [&](std::size_t n) {
+      const Vector3 & point = nearest[node + static_cast<std::size_t>(side * strides[n])].point;
+      const double    squared = (point - x).squaredNorm();
       if (squared < own.squaredDistance)
       {
-        own = { other.point, squared };
+        own = { point, squared };
+      }
+    };
+    const bool border = grid.isBorder(i, j, k);
+    for (std::size_t n = 0; n < offsets.size(); ++n)
+    {
+      if (!border || (exists(i + side * offsets[n][0], 0) && exists(j + side * offsets[n][1], 1) &&
+                      exists(k + side * offsets[n][2], 2)))
+      {
+        takeFrom(n);
       }
     }
   };

@@ -155,15 +155,15 @@ transformAlong(std::vector<double> & f, const LabelVolume & label, std::size_t a
 
 /** Squared distance along axis 0 to the nearest voxel of the other kind: one scan each way. */
 void
-startAlongRows(const LabelVolume & label, std::vector<double> & squared)
+startAlongRows(const LabelVolume & label, std::vector<double> & squared, unsigned int threads)
 {
-  const auto   length = static_cast<std::size_t>(label.size[0]);
-  const double spacing = label.spacing[0];
-  for (std::size_t first = 0; first < squared.size(); first += length)
-  {
-    const auto sameKind = [&](std::size_t voxel, std::size_t other) {
-      return (label.inside[voxel] != 0) == (label.inside[other] != 0);
-    };
+  constexpr std::size_t rowsPerBlock = 64;
+  const auto            length = static_cast<std::size_t>(label.size[0]);
+  const double          spacing = label.spacing[0];
+  const auto            sameKind = [&](std::size_t voxel, std::size_t other) {
+    return (label.inside[voxel] != 0) == (label.inside[other] != 0);
+  };
+  const auto scanRow = [&](std::size_t first) {
     double distance = infinity;
     for (std::size_t voxel = first + 1; voxel < first + length; ++voxel)
     {
@@ -176,7 +176,13 @@ startAlongRows(const LabelVolume & label, std::vector<double> & squared)
       distance = (sameKind(voxel, voxel + 1) ? distance : 0.0) + spacing;
       squared[voxel] = std::min(squared[voxel], distance * distance);
     }
-  }
+  };
+  parallelForBlocks(squared.size() / length, rowsPerBlock, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      scanRow(row * length);
+    }
+  });
 }
 
 /** Squared distance of every voxel centre to the nearest centre of the other kind. */
@@ -186,7 +192,7 @@ squaredDistanceToOtherKind(const LabelVolume & label, const std::array<bool, 3> 
   std::vector<double> squared(label.inside.size(), infinity);
   if (axes[0])
   {
-    startAlongRows(label, squared);
+    startAlongRows(label, squared, threads);
   }
   for (std::size_t axis = 1; axis < 3; ++axis)
   {

@@ -7,6 +7,7 @@
 
 #include <itkNumericTraits.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -49,14 +50,10 @@ LabelVolumeFromImage(const TImage * image, const typename TImage::PixelType & la
   moserhex::LabelVolume volume{ VoxelGridFromImage(image), {} };
   const auto *          first = image->GetBufferPointer();
   volume.inside.resize(volume.gridVoxels());
-  std::uint8_t any = 0;
-  for (std::size_t voxel = 0; voxel < volume.inside.size(); ++voxel)
-  {
-    const auto inside = static_cast<std::uint8_t>(first[voxel] == label);
-    volume.inside[voxel] = inside;
-    any |= inside;
-  }
-  if (any == 0)
+  std::transform(first, first + volume.inside.size(), volume.inside.data(), [value = label](const auto voxel) {
+    return static_cast<std::uint8_t>(voxel == value ? 1 : 0);
+  });
+  if (moserhex::voxelCount(volume) == 0)
   {
     std::ostringstream message;
     message << "label " << static_cast<typename NumericTraits<typename TImage::PixelType>::PrintType>(label)

@@ -228,6 +228,7 @@ writeXml(const AtomicFile & file, vtkUnstructuredGrid & grid, const HexMeshWrite
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1); // coordinates hardly get smaller with more work
   runWriter(*writer, file.finalName());
 }
 

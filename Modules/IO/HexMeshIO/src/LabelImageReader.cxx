@@ -64,6 +64,11 @@ void
 copyLabels(const std::string & fileName, const std::vector<TVoxel> & voxels, LabelImageType & image)
 {
   LabelValue * labels = image.GetBufferPointer();
+  if constexpr (std::is_integral_v<TVoxel> && sizeof(TVoxel) < sizeof(LabelValue))
+  {
+    std::copy(voxels.begin(), voxels.end(), labels); // all values are labels
+    return;
+  }
   for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
   {
     const std::optional<LabelValue> label = asLabel(voxels[voxel]);
