@@ -3,6 +3,7 @@
 #include "ShapeInterpolation.h"
 #include "TopologyProtection.h"
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/LevelSet/CubicInterpolation.h"
 #include "moserhex/LevelSet/GaussianSmoothing.h"
@@ -150,23 +151,29 @@ smallestBorderValue(const LevelSet & f)
   return smallest;
 }
 
-/** Dice coefficient of the label's voxels and the voxels whose centre has phi < 0. Two spacings away from the surface
- * the sign of the nearest node is enough. */
+/** Dice coefficient of the label's voxels and the voxels whose centre has phi < 0. phi is a distance, so farther away
+ * from the surface than the nearest node can be, the sign of that node is enough. */
 double
-diceWithVoxels(const LabelVolume & label, const LevelSet & phi)
+diceWithVoxels(const LabelVolume & label, const LevelSet & phi, unsigned int threads)
 {
+  constexpr double        farInSpacings = 1.25; // above sqrt(3) / 2
   const CubicInterpolator interpolator(phi);
   const RegularGrid &     grid = phi.grid;
   const auto              nearestNode = [&](double index, std::size_t axis) {
     return static_cast<int>(std::min(std::max(index + 0.5, 0.0), grid.size[axis] - 1.0));
   };
   const double step = label.spacing[0] / grid.spacing; // of the grid index from voxel to voxel of a row
-  std::size_t  inLabel = 0;
-  std::size_t  inSolid = 0;
-  std::size_t  inBoth = 0;
-  std::size_t  voxel = 0;
-  for (int k = 0; k < label.size[2]; ++k)
+  struct Counts
   {
+    std::size_t label{ 0 };
+    std::size_t solid{ 0 };
+    std::size_t both{ 0 };
+  };
+  std::vector<Counts> slices(static_cast<std::size_t>(label.size[2]));
+  parallelFor(slices.size(), threads, [&](std::size_t slice) {
+    const int   k = static_cast<int>(slice);
+    std::size_t voxel = label.voxelNumber(0, 0, k);
+    Counts &    counts = slices[slice];
     for (int j = 0; j < label.size[1]; ++j)
     {
       const Vector3  row = grid.continuousIndex(label.point(0, j, k));
@@ -176,14 +183,21 @@ diceWithVoxels(const LabelVolume & label, const LevelSet & phi)
         const bool   a = label.inside[voxel] != 0;
         const double value = nodes[nearestNode(row[0] + i * step, 0)];
         const bool   b =
-          std::abs(value) > 2.0 * grid.spacing ? value < 0.0 : interpolator.value(label.point(i, j, k)) < 0.0;
-        inLabel += a ? 1 : 0;
-        inSolid += b ? 1 : 0;
-        inBoth += a && b ? 1 : 0;
+          std::abs(value) > farInSpacings * grid.spacing ? value < 0.0 : interpolator.value(label.point(i, j, k)) < 0.0;
+        counts.label += a ? 1 : 0;
+        counts.solid += b ? 1 : 0;
+        counts.both += a && b ? 1 : 0;
       }
     }
+  });
+  Counts sum;
+  for (const Counts & counts : slices)
+  {
+    sum.label += counts.label;
+    sum.solid += counts.solid;
+    sum.both += counts.both;
   }
-  return 2.0 * static_cast<double>(inBoth) / static_cast<double>(inLabel + inSolid);
+  return 2.0 * static_cast<double>(sum.both) / static_cast<double>(sum.label + sum.solid);
 }
 
 /** Steps 2 and 3: a smooth function whose zero level encloses V, its topology as it happens to be. */
@@ -314,7 +328,7 @@ conditionLabel(const LabelVolume & label, const ConditioningOptions & options, c
   reportProgress(progress, 0.8);
 
   report.volumeError = moveVolumeToZero(phi, solid.labelVolume, options.labelName, report.sigma);
-  report.dice = diceWithVoxels(ball, phi);
+  report.dice = diceWithVoxels(ball, phi, options.threads);
   if (report.dice < options.minimumDice)
   {
     refuseThin(options.labelName,

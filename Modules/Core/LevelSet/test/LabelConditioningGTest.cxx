@@ -326,6 +326,18 @@ TEST(LabelConditioning, TwoRunsGiveTheSameBytes)
   EXPECT_EQ(conditionLabel(label, coarse()).levelSet.values, conditionLabel(label, coarse()).levelSet.values);
 }
 
+TEST(LabelConditioning, IsTheSameForAnyNumberOfThreads)
+{
+  const LabelVolume   label = labelOf({ { 96, 80, 18 } }, Vector3(0.5, 0.5, 3.0), lobulated);
+  ConditioningOptions options = coarse();
+  options.threads = 1;
+  const ConditionedSolid one = conditionLabel(label, options);
+  options.threads = 3;
+  const ConditionedSolid three = conditionLabel(label, options);
+  EXPECT_EQ(one.levelSet.values, three.levelSet.values);
+  EXPECT_EQ(one.report.dice, three.report.dice);
+}
+
 TEST(WarningsOf, SayWhatWasChangedAndNothingElse)
 {
   EXPECT_TRUE(warningsOf({}).empty());

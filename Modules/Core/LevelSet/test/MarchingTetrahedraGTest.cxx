@@ -162,6 +162,21 @@ TEST(VolumeBelowLevel, BallIsSecondOrder)
   EXPECT_NEAR(slope(h, error), 2.0, 0.1);
 }
 
+TEST(VolumeBelowLevel, CubesOfABracketGiveTheSameVolumeToTheBit)
+{
+  const LevelSet         f = ball(25, 0.5);
+  const VolumeBelowLevel below(f);
+  auto                   cubes = below.cubesBetween(-0.3, 0.4);
+  const std::size_t      before = cubes.partial.size();
+  below.narrow(cubes, -0.1, 0.2);
+  EXPECT_LT(cubes.partial.size(), before);
+  EXPECT_GT(cubes.whole, 0u);
+  for (const double level : { -0.1, -0.03, 0.0, 0.11, 0.2 })
+  {
+    EXPECT_EQ(below.volume(level, cubes), below.volume(level));
+  }
+}
+
 TEST(LevelOfVolume, EnclosesTheVolume)
 {
   const LevelSet f = ball(25, 0.5);

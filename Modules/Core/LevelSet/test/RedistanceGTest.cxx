@@ -118,6 +118,12 @@ TEST(Redistance, DistancesScaleWithTheSpacing)
   }
 }
 
+TEST(Redistance, IsTheSameForAnyNumberOfThreads)
+{
+  const LevelSet f = distortedSphere(test::unitGrid(33));
+  EXPECT_EQ(redistance(f, 1).values, redistance(f, 3).values);
+}
+
 TEST(Redistance, FunctionOfOneSignIsRefused)
 {
   EXPECT_THROW((void)redistance(test::randomField({ { 8, 8, 8 } }, 2)), InvalidInput);

@@ -111,6 +111,13 @@ TEST(VoxelSignedDistance, FaceBetweenTwoVoxelsIsHalfAVoxelAway)
   EXPECT_EQ(distance, (std::vector<double>{ -3.0, -1.0, 1.0, 3.0 }));
 }
 
+TEST(VoxelSignedDistance, IsTheSameForAnyNumberOfThreads)
+{
+  const LabelVolume label = test::randomLabel({ { 90, 80, 20 } }, 0.02, 5);
+  EXPECT_EQ(voxelSignedDistance(label, { { true, true, true } }, 1),
+            voxelSignedDistance(label, { { true, true, true } }, 3));
+}
+
 TEST(VoxelSignedDistance, EmptyLabelAndNoAxisAreRefused)
 {
   LabelVolume label = anisotropicLabel(0.5, 4);

@@ -129,6 +129,18 @@ TEST(MeshSolid, BothWaysMakeTheCellsOfAnEllipsoidEqual)
   }
 }
 
+TEST(MeshSolid, ShellsOfACoarserGridLeadToTheSameContract)
+{
+  const OrderedSolid       solid = ellipsoid({ 15.0, 12.0, 10.0 }, 0.5);
+  const OrderedSolid       start = ellipsoid({ 15.0, 12.0, 10.0 }, 1.25);
+  const SolidMeshingResult result = meshSolid(start.ordering, start.phi, solid.phi, solid.volume, withShells(6));
+  EXPECT_TRUE(result.equalisation->exact);
+  const HexQualitySummary & quality = *result.stages.back().quality;
+  EXPECT_LE(quality.volumeVariance, 1e-18);
+  EXPECT_NEAR(quality.volume / solid.volume, 1.0, 1e-9);
+  EXPECT_LE(result.boundary.maximum, 0.5); // to the surface of the finer grid
+}
+
 TEST(MeshSolid, AMeshThatIsNotExactIsThrownAwayUnlessAskedFor)
 {
   const OrderedSolid  solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
