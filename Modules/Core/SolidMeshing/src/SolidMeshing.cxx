@@ -26,8 +26,6 @@ namespace
 
 /** Area ratio rms that is enough of a sphere map that only starts the optimisation [1]. */
 constexpr double fastAreaTolerance = 0.05;
-/** Volume error that is enough of a shell that only starts the optimisation [1]. */
-constexpr double fastVolumeTolerance = 5e-4;
 
 /** Newton steps that put a point near a level set onto it. */
 constexpr int projectionIterations = 4;
@@ -140,18 +138,6 @@ bool
 isFast(const SolidMeshingOptions & options)
 {
   return options.lastStage == MeshingStage::Exact && options.way == MeshingWay::Fast;
-}
-
-ShellSurfaceOptions
-shellSurfaceOptions(const SolidMeshingOptions & options)
-{
-  ShellSurfaceOptions surfaces = options.surfaces;
-  surfaces.threads = options.threads;
-  if (isFast(options))
-  {
-    surfaces.volumeTolerance = std::max(surfaces.volumeTolerance, fastVolumeTolerance);
-  }
-  return surfaces;
 }
 
 SignedDistance
@@ -349,7 +335,8 @@ meshSolid(const LevelSet &            ordering,
   StageLog           log(result.stages);
 
   // C. Shell surfaces.
-  const ShellSurfaceOptions surfaceOptions = shellSurfaceOptions(options);
+  ShellSurfaceOptions surfaceOptions = options.surfaces;
+  surfaceOptions.threads = options.threads;
   const std::vector<double> fractions =
     options.volumeFractions.empty() ? cubeVolumeFractions(shellsToExtract(options)) : options.volumeFractions;
   std::vector<ShellSurface> shells = extractShellSurfaces(
