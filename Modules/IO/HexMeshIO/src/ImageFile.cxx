@@ -2,6 +2,7 @@
 
 #include "FileNames.h"
 #include "ImageFileCheck.h"
+#include "ImageHeader.h"
 
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
@@ -138,6 +139,23 @@ gridOf(const std::string & fileName, const itk::ImageIOBase & reader)
   return grid;
 }
 
+/** pixdim and the sform give the voxel's size twice, each rounded to a float. The axes come from the sform, so its
+ * lengths count: the volume of a voxel is then the determinant of the file's own matrix. */
+void
+takeColumnLengths(const std::string & fileName, VoxelGrid & grid)
+{
+  constexpr double sameLength = 1e-5;
+  const auto       lengths = niftiColumnLengths(fileName);
+  for (Eigen::Index axis = 0; lengths && axis < 3; ++axis)
+  {
+    const double length = (*lengths)[static_cast<std::size_t>(axis)];
+    if (std::abs(length / grid.spacing[axis] - 1.0) < sameLength)
+    {
+      grid.spacing[axis] = withoutRoundOff(length);
+    }
+  }
+}
+
 } // namespace
 
 ImageFile
@@ -152,6 +170,10 @@ openImageFile(const std::string & fileName)
   file.reader->ReadImageInformation();
   requireScalarVolume(fileName, *file.reader);
   file.grid = gridOf(fileName, *file.reader);
+  if (format == ImageFormat::Nifti)
+  {
+    takeColumnLengths(fileName, file.grid);
+  }
   itk::ImageIORegion region(file.reader->GetNumberOfDimensions());
   for (unsigned int axis = 0; axis < file.reader->GetNumberOfDimensions(); ++axis)
   {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -46,5 +47,10 @@ std::vector<std::string>
 checkMetaFile(const std::string & file);
 std::vector<std::string>
 checkNrrdFile(const std::string & file);
+
+/** Lengths of the columns of a NIfTI file's sform: the voxel's sizes again, to a float's digits; nothing when the file
+ * has no sform. \throws BadInput  as checkNiftiFile about the header */
+[[nodiscard]] std::optional<std::array<double, 3>>
+niftiColumnLengths(const std::string & file);
 
 } // namespace moserhex

@@ -139,18 +139,42 @@ requireNiftiGeometry(const std::string & file, const NiftiHeader & header)
   }
 }
 
-} // namespace
-
-std::vector<std::string>
-checkNiftiFile(const std::string & file)
+NiftiHeader
+readHeader(const std::string & file, GzipFile & source)
 {
-  GzipFile                            source(file);
   std::array<char, NiftiHeader::size> bytes{};
   if (source.read(bytes.data(), bytes.size()) != bytes.size())
   {
     throw BadInput(file, "the file ends within its header", copyAgain);
   }
-  const NiftiHeader header(file, bytes);
+  return NiftiHeader(file, bytes);
+}
+
+} // namespace
+
+std::optional<std::array<double, 3>>
+niftiColumnLengths(const std::string & file)
+{
+  GzipFile          source(file);
+  const NiftiHeader header = readHeader(file, source);
+  if (header.integer<std::int16_t>(254) <= 0) // sform_code
+  {
+    return std::nullopt;
+  }
+  std::array<double, 3> lengths{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t place = 280 + 4 * axis; // of the first of three rows of 16 bytes
+    lengths[axis] = std::hypot(header.real(place), header.real(place + 16), header.real(place + 32));
+  }
+  return lengths;
+}
+
+std::vector<std::string>
+checkNiftiFile(const std::string & file)
+{
+  GzipFile          source(file);
+  const NiftiHeader header = readHeader(file, source);
   requireNiftiGeometry(file, header);
   const std::uint64_t voxelBytes = niftiPromisedBytes(file, header);
   const double        offset = header.real(108);

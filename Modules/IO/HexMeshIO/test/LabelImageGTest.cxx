@@ -269,6 +269,19 @@ TEST(LabelImageReader, ZeroSpacingIsRefused)
   EXPECT_NE(messageOf<BadInput>([&] { (void)readLabelImage(folder / "a.nii"); }).find("voxel size"), std::string::npos);
 }
 
+TEST(LabelImageReader, VoxelOfANiftiFileHasTheVolumeOfTheSform)
+{
+  const TestFolder folder;
+  writeTwoLabels(folder / "a.nii", false);
+  const double before = readLabelImage(folder / "a.nii").image->GetSpacing()[0];
+  const float  longer = static_cast<float>(-before * (1.0 + 1e-6)); // LPS to RAS
+  writePatchedNifti(folder / "a.nii", 280, longer);
+  EXPECT_NEAR(readLabelImage(folder / "a.nii").image->GetSpacing()[0] / -static_cast<double>(longer), 1.0, 1e-11);
+  // Units or a header that disagree are no rounding.
+  writePatchedNifti(folder / "a.nii", 280, 1.01F * longer);
+  EXPECT_NEAR(readLabelImage(folder / "a.nii").image->GetSpacing()[0] / before, 1.0, 1e-12);
+}
+
 TEST(LabelImageReader, ShearIsRefused)
 {
   const TestFolder folder;
