@@ -405,6 +405,19 @@ edgeScore(const TriangleMesh &          surface,
   return EdgeJudge(surface, sphereMap, options).judge(placement);
 }
 
+std::vector<EdgeScore>
+edgeScores(const TriangleMesh &                surface,
+           const Positions &                   sphereMap,
+           const std::vector<FramePlacement> & placements,
+           const FramePlacementOptions &       options)
+{
+  requireInput(surface, sphereMap, options);
+  const EdgeJudge        judge(surface, sphereMap, options);
+  std::vector<EdgeScore> scores(placements.size());
+  parallelFor(placements.size(), options.threads, [&](std::size_t p) { scores[p] = judge.judge(placements[p]); });
+  return scores;
+}
+
 FramePlacementResult
 placeFrame(const TriangleMesh &          surface,
            const Positions &             sphereMap,

@@ -26,10 +26,11 @@ constexpr double smallestDecreaseOfRepair = 1e-7;
 
 /** Repair: cells with a Bezier coefficient below this (det J of a mean cell = 1) are watched. */
 constexpr double doubtfulCoefficient = 0.2;
-/** Repair, round r: weight 2000 2^r, margin times 1.2^r. */
+/** Repair, round r: weight 2000 2^r, margin times 1.3^r. */
 constexpr double            repairWeight = 2000.0;
 constexpr double            repairWeightGrowth = 2.0;
-constexpr double            repairMarginGrowth = 1.2;
+constexpr double            repairMarginGrowth = 1.3;
+constexpr double            largestRepairMargin = 0.15;
 constexpr EqualisationStage repairStage{ 0.02, 1000.0, 80.0, 60, 1 };
 /** A round of the repair is useless when it leaves more than this part of the uncertified cells and of the largest
  * distance; after so many of them in a row it is over. */
@@ -45,9 +46,22 @@ constexpr int    settlingSteps = 60;
 constexpr double settlingGrowth = 4.0;
 /** Springs longer than this part of the tolerance are made stiffer by this factor a round. */
 constexpr double safePartOfTolerance = 0.8;
+constexpr double springGrowth = 4.0;
 /** phi is not quite a distance away from the surface: what is aimed at, part of the tolerance. */
 constexpr double aimedPartOfTolerance = 0.95;
-constexpr double springGrowth = 2.0;
+/** Where the smallest scaled Jacobian is below this, the mesh is repaired, too, though it may be exact [1]. */
+constexpr double aimedScaledJacobian = 0.035;
+
+double
+smallestScaledJacobian(const HexMesh & mesh)
+{
+  double smallest = 1.0;
+  for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
+  {
+    smallest = std::min(smallest, hexCellQuality(cellCorners(mesh, cell)).scaledJacobian);
+  }
+  return smallest;
+}
 
 void
 require(bool holds, const std::string & what)
@@ -128,14 +142,21 @@ public:
   void
   finish(const EqualisationStage & lastStage, const ProgressCallback & progress)
   {
-    settle(lastStage, roughDeviation, progressBetween(progress, 0.0, 0.2));
-    const HexMesh minimised = m_Mesh;
-    project(progressBetween(progress, 0.2, 0.3));
-    if (isFlawless())
+    if (uncertifiedCells() > m_Options.hopelessCells)
     {
       return;
     }
-    m_Mesh = minimised;
+    settle(lastStage, roughDeviation, progressBetween(progress, 0.0, 0.2));
+    const HexMesh minimised = m_Mesh;
+    if (uncertifiedCells() <= tangledCells(m_Mesh.nodesPerSide))
+    {
+      project(progressBetween(progress, 0.2, 0.3));
+      if (isFlawless())
+      {
+        return;
+      }
+      m_Mesh = minimised;
+    }
     settle(lastStage, readyDeviation, progressBetween(progress, 0.3, 0.5));
     project(progressBetween(progress, 0.5, 0.6));
     repair(progressBetween(progress, 0.6, 1.0));
@@ -200,26 +221,27 @@ private:
     log("project", result.report.steps, solverSteps, stopwatch);
   }
 
-  /** Pushes uncertified cells open, pulls what is off the surface harder, and projects again, in rounds; keeps the best
-   * mesh. */
+  /** Pushes doubtful cells open and pulls what is off the surface harder, in rounds. Projects again when nothing is
+   * left to repair, when a round did not help, and in the end; keeps the best projected mesh. */
   void
   repair(const ProgressCallback & progress)
   {
     LatticeOptimiser  optimiser = makeOptimiser();
     std::vector<bool> isWatched(optimiser.layout().nodes, false);
-    Eigen::VectorXd   x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
     const double      tolerance = aimedPartOfTolerance * m_Options.surfaceTolerance / unit();
-    Flaws             present = flaws(optimiser, x);
+    Flaws             present = flaws(optimiser);
     Flaws             fewest = present;
     HexMesh           best = m_Mesh;
     double            bestDeviation = m_Deviation;
     double            margin = m_Options.repairMargin;
     double            weight = repairWeight;
     int               uselessRounds = 0;
-    for (int round = 0; round < m_Options.repairRounds && !present.none(tolerance); ++round)
+    for (int round = 1; round <= m_Options.repairRounds && uselessRounds < patience && !present.none(tolerance);
+         ++round)
     {
       const Stopwatch stopwatch;
       const Flaws     before = present;
+      Eigen::VectorXd x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
       optimiser.setBarrier(watchedCells(optimiser.layout(), isWatched), margin, weight);
       optimiser.attraction().strengthen(x, safePartOfTolerance * tolerance, springGrowth);
       optimiser.attraction().freeze(x);
@@ -228,51 +250,56 @@ private:
       const LimitedMemoryBfgsResult result = optimiser.minimise(x, repairStage, smallestDecreaseOfRepair, progress);
       keep(optimiser, x);
       log("repair", result.report.steps, result.evaluations, stopwatch);
-      project(progress);
-      x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
-      present = flaws(optimiser, x);
-      if (present.fewerThan(fewest, tolerance))
+      present = flaws(optimiser);
+      if (present.none(tolerance) || !present.worthwhileAfter(before) || round == m_Options.repairRounds)
       {
-        fewest = present;
-        best = m_Mesh;
-        bestDeviation = m_Deviation;
+        project(progress);
+        present = flaws(optimiser);
+        if (present.fewerThan(fewest, tolerance))
+        {
+          fewest = present;
+          best = m_Mesh;
+          bestDeviation = m_Deviation;
+        }
       }
       uselessRounds = present.worthwhileAfter(before) ? 0 : uselessRounds + 1;
-      if (uselessRounds == patience)
-      {
-        break;
-      }
-      margin *= repairMarginGrowth;
+      margin = std::min(repairMarginGrowth * margin, largestRepairMargin);
       weight *= repairWeightGrowth;
     }
     m_Mesh = std::move(best);
     m_Deviation = bestDeviation;
   }
 
-  /** What keeps a mesh of equal cells from being exact. */
+  /** What keeps a mesh of equal cells from being exact, and what it is repaired for besides. */
   struct Flaws
   {
     std::size_t uncertified{ 0 };
-    double      distance{ 0.0 }; ///< of the boundary [unit]
+    double      distance{ 0.0 };       ///< of the boundary [unit]
+    double      scaledJacobian{ 1.0 }; ///< smallest
 
     [[nodiscard]] bool
     none(double tolerance) const
     {
-      return uncertified == 0 && distance <= tolerance;
+      return uncertified == 0 && distance <= tolerance && scaledJacobian >= aimedScaledJacobian;
     }
 
     [[nodiscard]] bool
     fewerThan(const Flaws & other, double tolerance) const
     {
-      return std::make_tuple(uncertified, std::max(distance, tolerance)) <
-             std::make_tuple(other.uncertified, std::max(other.distance, tolerance));
+      return std::make_tuple(
+               uncertified, std::max(distance, tolerance), -std::min(scaledJacobian, aimedScaledJacobian)) <
+             std::make_tuple(other.uncertified,
+                             std::max(other.distance, tolerance),
+                             -std::min(other.scaledJacobian, aimedScaledJacobian));
     }
 
     [[nodiscard]] bool
     worthwhileAfter(const Flaws & other) const
     {
       return static_cast<double>(uncertified) < worthwhileRepair * static_cast<double>(other.uncertified) ||
-             (uncertified <= other.uncertified && distance < worthwhileApproach * other.distance);
+             (uncertified <= other.uncertified &&
+              (distance < worthwhileApproach * other.distance ||
+               scaledJacobian * worthwhileApproach > std::max(0.0, other.scaledJacobian)));
     }
   };
 
@@ -281,13 +308,15 @@ private:
   isFlawless()
   {
     const EqualisationResult present = result();
-    return present.exact && present.largestDistance <= aimedPartOfTolerance * m_Options.surfaceTolerance;
+    return present.exact && present.largestDistance <= aimedPartOfTolerance * m_Options.surfaceTolerance &&
+           smallestScaledJacobian(m_Mesh) >= aimedScaledJacobian;
   }
 
   [[nodiscard]] Flaws
-  flaws(LatticeOptimiser & optimiser, const Eigen::VectorXd & x) const
+  flaws(const LatticeOptimiser & optimiser) const
   {
-    return { uncertifiedCells(), optimiser.attraction().largestDistance(x) };
+    const auto x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
+    return { uncertifiedCells(), optimiser.attraction().largestDistance(x), smallestScaledJacobian(m_Mesh) };
   }
 
   [[nodiscard]] double
@@ -495,6 +524,12 @@ badness(const EqualisationResult & result, double tolerance)
 }
 
 } // namespace
+
+std::size_t
+tangledCells(int nodesPerSide)
+{
+  return static_cast<std::size_t>(std::max(2, nodesPerSide / 3));
+}
 
 EqualisationResult
 equaliseMeasures(const HexMesh &             start,

@@ -118,6 +118,20 @@ TEST(FramePlacement, EdgesOfACubeHaveScaledJacobianOne)
   EXPECT_NEAR(score.score, std::exp(-options.sharpness), 1e-9);
 }
 
+TEST(FramePlacement, ScoresOfManyPlacementsAreThoseOfEach)
+{
+  const TriangleMesh          surface = lobedSurface();
+  std::vector<FramePlacement> placements(3);
+  placements[1].rotation = analytic::rotation(Vector3(1, 2, 3).normalized(), 0.5);
+  placements[2].boost = Vector3(0.1, 0.0, 0.05);
+  const std::vector<EdgeScore> scores = edgeScores(surface, directions(3), placements);
+  ASSERT_EQ(scores.size(), 3u);
+  for (std::size_t p = 0; p < 3; ++p)
+  {
+    EXPECT_EQ(scores[p].score, edgeScore(surface, directions(3), placements[p]).score);
+  }
+}
+
 TEST(FramePlacement, FrameOfATurnedCubeIsFoundAgain)
 {
   for (const Vector3 & axis : { Vector3(1, 0, 0), Vector3(1, -2, 1.5) })

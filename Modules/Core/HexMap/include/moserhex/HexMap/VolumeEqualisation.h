@@ -6,6 +6,8 @@
 #include "moserhex/HexMap/EqualMeasureProjection.h"
 #include "moserhex/HexMap/SignedDistance.h"
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,9 @@ struct EqualisationOptions
   double repairMargin{
     0.03
   }; ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1
-  double surfaceTolerance{ 0.5 }; ///< a boundary farther than this from the surface is reported as failed [mm]
+  /** A minimised mesh with more uncertified cells is returned as it is, not equal, for want of prospects. */
+  std::size_t hopelessCells{ std::numeric_limits<std::size_t>::max() };
+  double      surfaceTolerance{ 0.5 }; ///< a boundary farther than this from the surface is reported as failed [mm]
   /** A surface farther than this from the boundary is reported as failed, but never when nearer than surfaceTolerance:
    * bumps smaller than a cell are cut off. In edges of a mean cell [1]. */
   double coverageTolerance{ 1.0 };
@@ -72,6 +76,11 @@ struct EqualisationResult
   std::vector<EqualisationStep> steps;
   StepReport                    report; ///< converged = exact, residual = variance
 };
+
+/** So many uncertified cells after a minimisation mean that the cube's edges lie badly; flaws sit along edges, so the
+ * number grows with n: max(2, n / 3). */
+[[nodiscard]] std::size_t
+tangledCells(int nodesPerSide);
 
 /** Every cell the same volume (or mass), none concave, the boundary on the organ's surface (stage J).
  *
