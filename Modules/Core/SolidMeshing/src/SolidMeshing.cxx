@@ -1,5 +1,6 @@
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
+#include "TurnedFrames.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
@@ -12,9 +13,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <iomanip>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -33,6 +34,10 @@ constexpr int projectionIterations = 4;
 constexpr int nearestPointIterations = 20;
 
 const double degree = std::acos(-1.0) / 180.0;
+
+/** Turned frames that are tried on a lattice of 6 and of 10 nodes a side. */
+constexpr std::size_t turnsOnCoarsestLattice = 24;
+constexpr std::size_t turnsOnCoarseLattice = 6;
 
 /** Parts of the whole run, for progress only. */
 constexpr double afterSurfaces = 0.4;
@@ -205,55 +210,107 @@ equaliseMasses(const CubicInterpolator &   phi,
 auto
 badness(const EqualisationResult & result)
 {
-  return std::make_tuple(!result.exact, result.concaveCells, result.uncertifiedCells, result.largestDistance);
+  constexpr double equalVariance = 1e-12; // a hopeless mesh was not projected
+  return std::make_tuple(!result.exact,
+                         result.variance > equalVariance,
+                         result.concaveCells,
+                         result.uncertifiedCells,
+                         result.largestDistance);
 }
 
-const char *
-axisName(int axis)
+/** How far a start led on a coarse lattice; smaller is better. */
+struct Prospect
 {
-  constexpr std::array<const char *, 3> names{ "left-right", "anterior-posterior", "inferior-superior" };
-  return names[static_cast<std::size_t>(axis)];
-}
+  std::size_t uncertifiedCells{ 0 };
+  double      smallestScaledJacobian{ 0.0 };
+  Matrix3     turn{ Matrix3::Identity() };
 
-/** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Tries turns about
- * the patient's axes, small ones first, and keeps the best mesh. */
-void
-tryOtherFrames(const std::function<HexMesh(const Matrix3 &)> & turnedStart,
-               const CubicInterpolator &                       phi,
-               double                                          volume,
-               const SolidMeshingOptions &                     options,
-               SolidMeshingResult &                            result,
-               const ProgressCallback &                        progress)
-{
-  SolidMeshingOptions inner = options;
-  inner.threads = 1;
-  for (const double angle : options.fallbackTurns)
+  [[nodiscard]] bool
+  isBetterThan(const Prospect & other) const
   {
-    if (result.equalisation->exact)
+    return std::make_tuple(uncertifiedCells, -smallestScaledJacobian) <
+           std::make_tuple(other.uncertifiedCells, -other.smallestScaledJacobian);
+  }
+};
+
+/** Sorts turns by the meshes they lead to on a coarse lattice, best first, and keeps the best. */
+void
+keepBestOnLattice(int                                             nodesPerSide,
+                  std::size_t                                     count,
+                  const std::function<HexMesh(const Matrix3 &)> & turnedStart,
+                  const CubicInterpolator &                       phi,
+                  double                                          volume,
+                  const SolidMeshingOptions &                     options,
+                  std::vector<Matrix3> &                          turns)
+{
+  EqualisationOptions coarse = equalisationOptions(options);
+  coarse.nodesPerSide = std::min(nodesPerSide, coarse.nodesPerSide);
+  coarse.repairRounds = 0;
+  coarse.hopelessCells = 0;
+  coarse.threads = 1;
+  std::vector<Prospect> prospects(turns.size());
+  parallelFor(turns.size(), options.threads, [&](std::size_t t) {
+    const EqualisationResult result = equaliseVolumes(turnedStart(turns[t]), signedDistance(phi), volume, coarse);
+    prospects[t] = { result.uncertifiedCells, summarizeQuality(result.mesh).scaledJacobian.minimum, turns[t] };
+  });
+  std::stable_sort(
+    prospects.begin(), prospects.end(), [](const Prospect & a, const Prospect & b) { return a.isBetterThan(b); });
+  turns.resize(std::min(count, turns.size()));
+  for (std::size_t t = 0; t < turns.size(); ++t)
+  {
+    turns[t] = prospects[t].turn;
+  }
+}
+
+std::string
+describeTurn(const Matrix3 & turn)
+{
+  const Eigen::AngleAxis<double> rotation(turn);
+  std::ostringstream             text;
+  text << "the lattice is turned by " << std::round(rotation.angle() / degree) << " degrees about ("
+       << std::setprecision(2) << rotation.axis().transpose() << "): its own frame did not lead to an exact mesh";
+  return text.str();
+}
+
+/** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Judges many turns by
+ * where the edges lie on the surface, some of them by meshes on ever finer coarse lattices, meshes the best at full
+ * size until one is exact, and keeps the best mesh. */
+void
+tryTurnedFrames(const std::function<HexMesh(const Matrix3 &)> & turnedStart,
+                const TriangleMesh &                            surface,
+                const Positions &                               sphereMap,
+                const CubicInterpolator &                       phi,
+                double                                          volume,
+                const SolidMeshingOptions &                     options,
+                SolidMeshingResult &                            result,
+                const ProgressCallback &                        progress)
+{
+  const auto wanted = static_cast<std::size_t>(options.turnedFrames);
+  if (wanted == 0 || result.equalisation->exact)
+  {
+    return;
+  }
+  std::vector<Matrix3> turns = promisingTurns(surface, sphereMap, turnsOnCoarsestLattice, options.threads);
+  reportProgress(progress, 0.3);
+  keepBestOnLattice(6, turnsOnCoarseLattice, turnedStart, phi, volume, options, turns);
+  reportProgress(progress, 0.5);
+  keepBestOnLattice(10, wanted, turnedStart, phi, volume, options, turns);
+  for (std::size_t t = 0; t < turns.size() && !result.equalisation->exact; ++t)
+  {
+    const auto count = static_cast<double>(turns.size());
+    HexMesh    mesh = turnedStart(turns[t]);
+    auto       equalised =
+      equalise(mesh,
+               phi,
+               volume,
+               options,
+               progressBetween(
+                 progress, 0.6 + 0.4 * static_cast<double>(t) / count, 0.6 + 0.4 * static_cast<double>(t + 1) / count));
+    if (badness(equalised) < badness(*result.equalisation))
     {
-      return;
-    }
-    constexpr std::size_t           turns = 6;
-    std::vector<HexMesh>            meshes(turns);
-    std::vector<EqualisationResult> results(turns);
-    parallelFor(turns, options.threads, [&](std::size_t turn) {
-      const double signedAngle = (turn % 2 == 0 ? angle : -angle) * degree;
-      meshes[turn] = turnedStart(
-        Eigen::AngleAxis<double>(signedAngle, Vector3::Unit(static_cast<int>(turn / 2))).toRotationMatrix());
-      results[turn] = equalise(meshes[turn], phi, volume, inner, {});
-    });
-    reportProgress(progress, 0.9);
-    for (std::size_t turn = 0; turn < turns; ++turn)
-    {
-      if (badness(results[turn]) < badness(*result.equalisation))
-      {
-        result.mesh = std::move(meshes[turn]);
-        result.equalisation = std::move(results[turn]);
-        std::ostringstream text;
-        text << "the lattice is turned by " << (turn % 2 == 0 ? angle : -angle) << " degrees about the "
-             << axisName(static_cast<int>(turn / 2)) << " axis: its own frame did not lead to an exact mesh";
-        result.turnWarning = text.str();
-      }
+      result.mesh = std::move(mesh);
+      result.equalisation = std::move(equalised);
+      result.turnWarning = describeTurn(turns[t]);
     }
   }
 }
@@ -436,8 +493,15 @@ meshSolid(const LevelSet &            ordering,
   if (options.lastStage == MeshingStage::Exact)
   {
     const ProgressCallback toTheEnd = progressBetween(progress, afterInitialMap, 1.0);
-    result.equalisation = equalise(result.mesh, phiAt, volume, options, toTheEnd);
-    if (!result.equalisation->exact && isFast(options))
+    const bool             maybeTurned = isFast(options) && options.turnedFrames > 0;
+    SolidMeshingOptions    ownFrame = options;
+    if (maybeTurned)
+    {
+      ownFrame.equalisation.hopelessCells =
+        std::min(ownFrame.equalisation.hopelessCells, tangledCells(2 * options.shells));
+    }
+    result.equalisation = equalise(result.mesh, phiAt, volume, ownFrame, toTheEnd);
+    if (!result.equalisation->exact && maybeTurned)
     {
       const auto turnedStart = [&](const Matrix3 & turn) {
         std::vector<Positions> turned = maps;
@@ -449,7 +513,7 @@ meshSolid(const LevelSet &            ordering,
         inner.threads = 1;
         return initialMap(surfaces, turned, inner);
       };
-      tryOtherFrames(turnedStart, phiAt, volume, options, result, toTheEnd);
+      tryTurnedFrames(turnedStart, surfaces.back(), maps.back(), phiAt, volume, options, result, toTheEnd);
     }
     if (options.density != nullptr)
     {

@@ -145,7 +145,7 @@ TEST(MeshSolid, AMeshThatIsNotExactIsThrownAwayUnlessAskedFor)
 {
   const OrderedSolid  solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
   SolidMeshingOptions options = withShells(3);
-  options.fallbackTurns.clear();
+  options.turnedFrames = 0;
   options.equalisation.surfaceTolerance = 1e-4; // the centres of curved quadrilaterals cannot be that near
   EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, options), NotConverged);
   options.allowPartial = true;
@@ -158,6 +158,62 @@ TEST(MeshSolid, AMeshThatIsNotExactIsThrownAwayUnlessAskedFor)
     EXPECT_EQ(std::count(result.warnings.begin(), result.warnings.end(), "not exact: " + shortcoming), 1)
       << shortcoming;
   }
+}
+
+namespace
+{
+
+/** A cube with rounded edges, turned by 25 degrees about z: s = |p / 12|_6, phi = first-order signed distance. */
+OrderedSolid
+turnedRoundedCube()
+{
+  OrderedSolid  solid = ellipsoid({ 17.0, 17.0, 13.0 }, 1.0); // for its grid
+  const double  angle = 25.0 * pi / 180.0;
+  const Vector3 first(std::cos(angle), std::sin(angle), 0.0);
+  const Vector3 second(-std::sin(angle), std::cos(angle), 0.0);
+  for (std::size_t node = 0; node < solid.phi.grid.nodeCount(); ++node)
+  {
+    const Vector3        p = solid.phi.grid.point(node);
+    const Eigen::Array3d q(p.dot(first) / 12.0, p.dot(second) / 12.0, p[2] / 12.0);
+    const double         s = std::pow(q.pow(6).sum(), 1.0 / 6.0);
+    const double         slope = s > 0.0 ? (q.abs() / s).pow(5).matrix().norm() : 1.0;
+    solid.ordering.values[node] = s;
+    solid.phi.values[node] = 12.0 * (s - 1.0) / slope;
+  }
+  // Dirichlet: the volume of sum |x_i|^6 <= 1 is (2 Gamma(7/6))^3 / Gamma(3/2).
+  solid.volume = std::pow(12.0 * 2.0 * std::tgamma(7.0 / 6.0), 3) / std::tgamma(1.5);
+  return solid;
+}
+
+} // namespace
+
+TEST(MeshSolid, ATurnedFrameIsTakenWhereTheOwnOneDoesNotDo)
+{
+  const OrderedSolid  solid = turnedRoundedCube();
+  SolidMeshingOptions options = withShells(4);
+  options.allowPartial = true;
+  // So few steps that the lattice cannot slide into the cube's own attitude, and a tolerance out of their reach.
+  EqualisationOptions & equalisation = options.equalisation;
+  for (auto * stages : { &equalisation.coarseStages, &equalisation.finestStages, &equalisation.directStages })
+  {
+    for (EqualisationStage & stage : *stages)
+    {
+      stage.maximumSteps = 4;
+    }
+  }
+  equalisation.repairRounds = 0;
+  equalisation.surfaceTolerance = 0.01;
+  options.turnedFrames = 0;
+  const SolidMeshingResult own = meshSolid(solid.ordering, solid.phi, solid.volume, options);
+  EXPECT_FALSE(own.equalisation->exact);
+  EXPECT_TRUE(own.turnWarning.empty());
+
+  options.turnedFrames = 2;
+  const SolidMeshingResult turned = meshSolid(solid.ordering, solid.phi, solid.volume, options);
+  EXPECT_NE(turned.turnWarning.find("turned by"), std::string::npos);
+  EXPECT_LE(turned.equalisation->variance, 1e-12);
+  EXPECT_LE(turned.equalisation->uncertifiedCells, own.equalisation->uncertifiedCells);
+  EXPECT_GT(turned.stages.back().quality->scaledJacobian.minimum, own.stages.back().quality->scaledJacobian.minimum);
 }
 
 TEST(MeshSolid, TheResultIsTheSameForAnyNumberOfThreads)

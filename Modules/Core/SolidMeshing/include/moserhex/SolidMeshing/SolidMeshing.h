@@ -51,9 +51,9 @@ struct SolidMeshingOptions
 
   LatticeFrame          frame{ LatticeFrame::Anatomical };
   FramePlacementOptions framePlacement; ///< for LatticeFrame::Ridge; its thread count is replaced
-  /** Turns about the patient's axes, both ways, that the fast way tries when the frame does not lead to an exact mesh
-   * [degree]. */
-  std::vector<double> fallbackTurns{ 15.0 };
+  /** Turned frames, the most promising first, that the fast way meshes at full size when its own does not lead to an
+   * exact mesh; 0: none [1]. */
+  int turnedFrames{ 2 };
 
   ShellSurfaceOptions        surfaces;     ///< stage C; its thread count is replaced by `threads`
   AreaPreservingMapOptions   sphereMap;    ///< stages D, E
