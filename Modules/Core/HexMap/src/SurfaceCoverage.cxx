@@ -27,7 +27,9 @@ constexpr int    newtonSteps = 4;
 
 SurfaceCoverage::SurfaceCoverage(const LatticeLayout & layout, Positions surfacePoints, unsigned int threads)
   : m_Layout(layout), m_SurfacePoints(std::move(surfacePoints)), m_Threads(threads), m_Quads(boundaryQuads(layout))
-{}
+{
+  m_Stiffness.assign(m_SurfacePoints.size(), 1.0);
+}
 
 void
 SurfaceCoverage::associate(const Eigen::VectorXd & x)
@@ -82,6 +84,21 @@ SurfaceCoverage::isInDoubt() const
   return !m_Springs.empty();
 }
 
+std::size_t
+SurfaceCoverage::strengthen(double tolerance, double factor)
+{
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < m_Distances.size(); ++p)
+  {
+    if (m_Distances[p] > tolerance)
+    {
+      m_Stiffness[p] *= factor;
+      ++count;
+    }
+  }
+  return count;
+}
+
 Vector3
 SurfaceCoverage::boundaryPoint(const Eigen::VectorXd & x, const Spring & spring) const
 {
@@ -108,8 +125,9 @@ SurfaceCoverage::addEnergy(const Eigen::VectorXd & x, double weight, Eigen::Vect
     {
       continue;
     }
-    energy += 0.5 * weight * excess * excess;
-    const Vector3 pull = weight * excess / distance * away;
+    const double stiffness = weight * m_Stiffness[spring.surfacePoint];
+    energy += 0.5 * stiffness * excess * excess;
+    const Vector3 pull = stiffness * excess / distance * away;
     const auto &  quad = m_Quads[spring.quad];
     for (const std::size_t node : quad)
     {

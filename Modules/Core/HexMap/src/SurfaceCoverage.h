@@ -12,11 +12,11 @@ namespace moserhex
 /** What keeps the lattice from draining out of the organ's tips. SurfaceAttraction sees how far the lattice is from the
  * surface; this sees how far the surface is from the lattice,
  *
- *   E(x) = w / 2 sum over surface points p of max(0, |p - b(x)| - d)^2
+ *   E(x) = w / 2 sum over surface points p of k_p max(0, |p - b(x)| - d)^2
  *
- * b(x) being the point of the lattice's boundary that was nearest to p when associate() was called. The boundary is
- * taken as four triangles around the centre of every quadrilateral; d is half a cell's edge, so that a lattice that
- * covers the surface is free. All lengths in units of a cell's edge. */
+ * k_p = 1 until it is strengthened, b(x) being the point of the lattice's boundary that was nearest to p when
+ * associate() was called. The boundary is taken as four triangles around the centre of every quadrilateral; d is half a
+ * cell's edge, so that a lattice that covers the surface is free. All lengths in units of a cell's edge. */
 class SurfaceCoverage
 {
 public:
@@ -33,6 +33,11 @@ public:
   /** True when a spring of addEnergy would pull, or nearly so: the surface may drain. */
   [[nodiscard]] bool
   isInDoubt() const;
+
+  /** Multiplies k of the points that were farther away than the tolerance [unit] when associate() was called; returns
+   * how many. */
+  std::size_t
+  strengthen(double tolerance, double factor);
 
   [[nodiscard]] double
   addEnergy(const Eigen::VectorXd & x, double weight, Eigen::VectorXd & gradient) const;
@@ -55,7 +60,8 @@ private:
   unsigned int                            m_Threads;
   std::vector<std::array<std::size_t, 4>> m_Quads;
   std::vector<double>                     m_Distances;
-  std::vector<Spring>                     m_Springs; ///< of points farther away than half of d
+  std::vector<double>                     m_Stiffness; ///< k
+  std::vector<Spring>                     m_Springs;   ///< of points farther away than half of d
 };
 
 /** Points spread over the organ's surface: of every boundary quadrilateral of a lattice, put onto {phi = 0} by Newton

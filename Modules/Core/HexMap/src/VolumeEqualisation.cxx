@@ -1,5 +1,6 @@
 #include "moserhex/HexMap/VolumeEqualisation.h"
 
+#include "EqualisationFlaws.h"
 #include "LatticeOptimiser.h"
 #include "LatticeRefinement.h"
 #include "moserhex/Common/Errors.h"
@@ -32,11 +33,8 @@ constexpr double            repairWeightGrowth = 2.0;
 constexpr double            repairMarginGrowth = 1.3;
 constexpr double            largestRepairMargin = 0.15;
 constexpr EqualisationStage repairStage{ 0.02, 1000.0, 80.0, 60, 1 };
-/** A round of the repair is useless when it leaves more than this part of the uncertified cells and of the largest
- * distance; after so many of them in a row it is over. */
-constexpr int    patience = 3;
-constexpr double worthwhileRepair = 0.8;
-constexpr double worthwhileApproach = 0.97;
+/** After so many useless rounds in a row the repair is over. */
+constexpr int patience = 3;
 /** The projection bends cells that are far from equal. Above the first mean square deviation it is not tried; below the
  * second it bends them hardly at all. */
 constexpr double roughDeviation = 1e-3;
@@ -228,22 +226,22 @@ private:
   {
     LatticeOptimiser  optimiser = makeOptimiser();
     std::vector<bool> isWatched(optimiser.layout().nodes, false);
-    const double      tolerance = aimedPartOfTolerance * m_Options.surfaceTolerance / unit();
-    Flaws             present = flaws(optimiser);
-    Flaws             fewest = present;
+    const FlawLimits  limits = flawLimits();
+    EqualisationFlaws present = flaws(optimiser);
+    EqualisationFlaws fewest = present;
     HexMesh           best = m_Mesh;
     double            bestDeviation = m_Deviation;
     double            margin = m_Options.repairMargin;
     double            weight = repairWeight;
     int               uselessRounds = 0;
-    for (int round = 1; round <= m_Options.repairRounds && uselessRounds < patience && !present.none(tolerance);
-         ++round)
+    for (int round = 1; round <= m_Options.repairRounds && uselessRounds < patience && !present.none(limits); ++round)
     {
-      const Stopwatch stopwatch;
-      const Flaws     before = present;
-      Eigen::VectorXd x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
+      const Stopwatch         stopwatch;
+      const EqualisationFlaws before = present;
+      Eigen::VectorXd         x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
       optimiser.setBarrier(watchedCells(optimiser.layout(), isWatched), margin, weight);
-      optimiser.attraction().strengthen(x, safePartOfTolerance * tolerance, springGrowth);
+      optimiser.attraction().strengthen(x, safePartOfTolerance * limits.distance, springGrowth);
+      optimiser.coverage().strengthen(safePartOfTolerance * limits.uncovered, springGrowth);
       optimiser.attraction().freeze(x);
       optimiser.updateLevel(x);
       optimiser.setTargetVolumes(targetVolumes(x, optimiser.layout()));
@@ -251,57 +249,24 @@ private:
       keep(optimiser, x);
       log("repair", result.report.steps, result.evaluations, stopwatch);
       present = flaws(optimiser);
-      if (present.none(tolerance) || !present.worthwhileAfter(before) || round == m_Options.repairRounds)
+      if (present.none(limits) || !present.worthwhileAfter(before, limits) || round == m_Options.repairRounds)
       {
         project(progress);
         present = flaws(optimiser);
-        if (present.fewerThan(fewest, tolerance))
+        if (present.fewerThan(fewest, limits))
         {
           fewest = present;
           best = m_Mesh;
           bestDeviation = m_Deviation;
         }
       }
-      uselessRounds = present.worthwhileAfter(before) ? 0 : uselessRounds + 1;
+      uselessRounds = present.worthwhileAfter(before, limits) ? 0 : uselessRounds + 1;
       margin = std::min(repairMarginGrowth * margin, largestRepairMargin);
       weight *= repairWeightGrowth;
     }
     m_Mesh = std::move(best);
     m_Deviation = bestDeviation;
   }
-
-  /** What keeps a mesh of equal cells from being exact, and what it is repaired for besides. */
-  struct Flaws
-  {
-    std::size_t uncertified{ 0 };
-    double      distance{ 0.0 };       ///< of the boundary [unit]
-    double      scaledJacobian{ 1.0 }; ///< smallest
-
-    [[nodiscard]] bool
-    none(double tolerance) const
-    {
-      return uncertified == 0 && distance <= tolerance && scaledJacobian >= aimedScaledJacobian;
-    }
-
-    [[nodiscard]] bool
-    fewerThan(const Flaws & other, double tolerance) const
-    {
-      return std::make_tuple(
-               uncertified, std::max(distance, tolerance), -std::min(scaledJacobian, aimedScaledJacobian)) <
-             std::make_tuple(other.uncertified,
-                             std::max(other.distance, tolerance),
-                             -std::min(other.scaledJacobian, aimedScaledJacobian));
-    }
-
-    [[nodiscard]] bool
-    worthwhileAfter(const Flaws & other) const
-    {
-      return static_cast<double>(uncertified) < worthwhileRepair * static_cast<double>(other.uncertified) ||
-             (uncertified <= other.uncertified &&
-              (distance < worthwhileApproach * other.distance ||
-               scaledJacobian * worthwhileApproach > std::max(0.0, other.scaledJacobian)));
-    }
-  };
 
   /** Exact, and with the boundary clearly within its tolerance. */
   [[nodiscard]] bool
@@ -312,11 +277,31 @@ private:
            smallestScaledJacobian(m_Mesh) >= aimedScaledJacobian;
   }
 
-  [[nodiscard]] Flaws
-  flaws(const LatticeOptimiser & optimiser) const
+  /** Of the present mesh; the optimiser's surface points are associated with it. */
+  [[nodiscard]] EqualisationFlaws
+  flaws(LatticeOptimiser & optimiser) const
   {
     const auto x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
-    return { uncertifiedCells(), optimiser.attraction().largestDistance(x), smallestScaledJacobian(m_Mesh) };
+    optimiser.coverage().associate(x);
+    return { uncertifiedCells(),
+             optimiser.attraction().largestDistance(x),
+             optimiser.coverage().largestDistance(),
+             smallestScaledJacobian(m_Mesh) };
+  }
+
+  [[nodiscard]] FlawLimits
+  flawLimits() const
+  {
+    return { aimedPartOfTolerance * m_Options.surfaceTolerance / unit(),
+             aimedPartOfTolerance * largestUncoveredDistance() / unit(),
+             aimedScaledJacobian };
+  }
+
+  /** Of the surface from the boundary, in an exact mesh [mm]. */
+  [[nodiscard]] double
+  largestUncoveredDistance() const
+  {
+    return std::max(m_Options.surfaceTolerance, m_Options.coverageTolerance * unit());
   }
 
   [[nodiscard]] double
@@ -472,7 +457,7 @@ private:
       add(
         "boundary up to ", result.largestDistance, " mm off the surface, must be at most ", m_Options.surfaceTolerance);
     }
-    const double tip = std::max(m_Options.surfaceTolerance, m_Options.coverageTolerance * unit());
+    const double tip = largestUncoveredDistance();
     if (!(result.uncoveredDistance <= tip))
     {
       add("surface up to ", result.uncoveredDistance, " mm off the boundary, must be at most ", tip);
@@ -520,6 +505,7 @@ badness(const EqualisationResult & result, double tolerance)
                          result.concaveCells,
                          result.uncertifiedCells,
                          std::max(tolerance, result.largestDistance),
+                         result.uncoveredDistance,
                          result.variance);
 }
 
