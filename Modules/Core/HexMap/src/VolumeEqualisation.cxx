@@ -9,6 +9,7 @@
 #include "moserhex/Quality/JacobianBounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <tuple>
@@ -42,6 +43,8 @@ constexpr double readyDeviation = 3e-5;
 constexpr int    settlingRounds = 5;
 constexpr int    settlingSteps = 60;
 constexpr double settlingGrowth = 4.0;
+/** Of coarse lattices that the ordinary stages leave tangled. */
+constexpr std::array<EqualisationStage, 2> untanglingStages{ { { 0.02, 0.0, 80.0, 60, 1 }, { 0.005, 0.0, 80.0, 60, 1 } } };
 /** Springs longer than this part of the tolerance are made stiffer by this factor a round. */
 constexpr double safePartOfTolerance = 0.8;
 constexpr double springGrowth = 4.0;
@@ -160,6 +163,25 @@ public:
     repair(progressBetween(progress, 0.6, 1.0));
   }
 
+  /** A lattice that is still tangled is minimised without regard to the volumes and with ever less regularisation, and
+   * once more as before. Kept when that untangles it. */
+  void
+  untangle(const EqualisationStage & lastStage, const ProgressCallback & progress)
+  {
+    if (uncertifiedCells() == 0)
+    {
+      return;
+    }
+    const HexMesh tangled = m_Mesh;
+    const double  level = m_Level;
+    minimise({ untanglingStages[0], untanglingStages[1], lastStage }, true, progress);
+    if (uncertifiedCells() > 0)
+    {
+      m_Mesh = tangled;
+      m_Level = level;
+    }
+  }
+
   /** Takes the mesh to a finer or coarser lattice. */
   void
   resample(int nodesPerSide)
@@ -234,19 +256,25 @@ private:
     double            margin = m_Options.repairMargin;
     double            weight = repairWeight;
     int               uselessRounds = 0;
+    EqualisationStage stage = repairStage;
     for (int round = 1; round <= m_Options.repairRounds && uselessRounds < patience && !present.none(limits); ++round)
     {
       const Stopwatch         stopwatch;
       const EqualisationFlaws before = present;
       Eigen::VectorXd         x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
       optimiser.setBarrier(watchedCells(optimiser.layout(), isWatched), margin, weight);
-      optimiser.attraction().strengthen(x, safePartOfTolerance * limits.distance, springGrowth);
-      optimiser.coverage().strengthen(safePartOfTolerance * limits.uncovered, springGrowth);
+      const double growth = before.uncertified > 0 ? 2.0 : springGrowth;
+      optimiser.attraction().strengthen(x, safePartOfTolerance * limits.distance, growth);
+      optimiser.coverage().strengthen(safePartOfTolerance * limits.uncovered, growth);
       optimiser.attraction().freeze(x);
       optimiser.updateLevel(x);
       optimiser.setTargetVolumes(targetVolumes(x, optimiser.layout()));
-      const LimitedMemoryBfgsResult result = optimiser.minimise(x, repairStage, smallestDecreaseOfRepair, progress);
+      const LimitedMemoryBfgsResult result = optimiser.minimise(x, stage, smallestDecreaseOfRepair, progress);
       keep(optimiser, x);
+      if (deviation() > readyDeviation)
+      {
+        stage.volumeWeight *= settlingGrowth;
+      }
       log("repair", result.report.steps, result.evaluations, stopwatch);
       present = flaws(optimiser);
       if (present.none(limits) || !present.worthwhileAfter(before, limits) || round == m_Options.repairRounds)
@@ -571,6 +599,10 @@ equaliseMeasures(const HexMesh &             start,
                        progressBetween(progress,
                                        0.5 + 0.2 * static_cast<double>(l) / count,
                                        0.5 + 0.2 * static_cast<double>(l + 1) / count));
+      if (l + 1 < levels.size())
+      {
+        gradual.untangle(options.coarseStages.back(), {});
+      }
     }
     gradual.finish(options.finestStages.back(), progressBetween(progress, 0.7, 1.0));
     keepBetter(gradual.result());
