@@ -44,10 +44,12 @@ constexpr int    settlingRounds = 5;
 constexpr int    settlingSteps = 60;
 constexpr double settlingGrowth = 4.0;
 /** Of coarse lattices that the ordinary stages leave tangled. */
-constexpr std::array<EqualisationStage, 2> untanglingStages{ { { 0.02, 0.0, 80.0, 60, 1 }, { 0.005, 0.0, 80.0, 60, 1 } } };
+constexpr std::array<EqualisationStage, 2> untanglingStages{ { { 0.02, 0.0, 80.0, 60, 1 },
+                                                               { 0.005, 0.0, 80.0, 60, 1 } } };
 /** Springs longer than this part of the tolerance are made stiffer by this factor a round. */
 constexpr double safePartOfTolerance = 0.8;
 constexpr double springGrowth = 4.0;
+constexpr double springGrowthOfTangled = 2.0; // lest springs outgrow the barrier of cells that are not yet positive
 /** phi is not quite a distance away from the surface: what is aimed at, part of the tolerance. */
 constexpr double aimedPartOfTolerance = 0.95;
 /** Where the smallest scaled Jacobian is below this, the mesh is repaired, too, though it may be exact [1]. */
@@ -263,7 +265,7 @@ private:
       const EqualisationFlaws before = present;
       Eigen::VectorXd         x = latticeVector(optimiser.layout(), m_Mesh.nodes, m_Origin, unit());
       optimiser.setBarrier(watchedCells(optimiser.layout(), isWatched), margin, weight);
-      const double growth = before.uncertified > 0 ? 2.0 : springGrowth;
+      const double growth = before.uncertified > 0 ? springGrowthOfTangled : springGrowth;
       optimiser.attraction().strengthen(x, safePartOfTolerance * limits.distance, growth);
       optimiser.coverage().strengthen(safePartOfTolerance * limits.uncovered, growth);
       optimiser.attraction().freeze(x);

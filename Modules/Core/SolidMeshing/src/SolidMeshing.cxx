@@ -206,16 +206,20 @@ equaliseMasses(const CubicInterpolator &   phi,
   }
 }
 
+/** A mesh that was given up before its cells were made equal (EqualisationOptions::hopelessCells). */
+bool
+isGivenUp(const EqualisationResult & result)
+{
+  constexpr double equalVariance = 1e-12;
+  return result.variance > equalVariance;
+}
+
 /** Smaller is better. */
 auto
 badness(const EqualisationResult & result)
 {
-  constexpr double equalVariance = 1e-12; // a hopeless mesh was not projected
-  return std::make_tuple(!result.exact,
-                         result.variance > equalVariance,
-                         result.concaveCells,
-                         result.uncertifiedCells,
-                         result.largestDistance);
+  return std::make_tuple(
+    !result.exact, isGivenUp(result), result.concaveCells, result.uncertifiedCells, result.largestDistance);
 }
 
 /** How far a start led on a coarse lattice; smaller is better. */
@@ -274,7 +278,8 @@ describeTurn(const Matrix3 & turn)
 
 /** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Judges many turns by
  * where the edges lie on the surface, some of them by meshes on ever finer coarse lattices, meshes the best at full
- * size until one is exact, and keeps the best mesh. */
+ * size until one is exact, and keeps the best mesh. Where none is exact an own frame that was given up is worked out.
+ */
 void
 tryTurnedFrames(const std::function<HexMesh(const Matrix3 &)> & turnedStart,
                 const TriangleMesh &                            surface,
@@ -295,6 +300,10 @@ tryTurnedFrames(const std::function<HexMesh(const Matrix3 &)> & turnedStart,
   keepBestOnLattice(6, turnsOnCoarseLattice, turnedStart, phi, volume, options, turns);
   reportProgress(progress, 0.5);
   keepBestOnLattice(10, wanted, turnedStart, phi, volume, options, turns);
+  if (isGivenUp(*result.equalisation))
+  {
+    turns.emplace_back(Matrix3::Identity());
+  }
   for (std::size_t t = 0; t < turns.size() && !result.equalisation->exact; ++t)
   {
     const auto count = static_cast<double>(turns.size());
@@ -310,7 +319,7 @@ tryTurnedFrames(const std::function<HexMesh(const Matrix3 &)> & turnedStart,
     {
       result.mesh = std::move(mesh);
       result.equalisation = std::move(equalised);
-      result.turnWarning = describeTurn(turns[t]);
+      result.turnWarning = turns[t].isIdentity() ? "" : describeTurn(turns[t]);
     }
   }
 }
