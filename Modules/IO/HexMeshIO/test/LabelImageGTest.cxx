@@ -13,6 +13,7 @@
 #include <itkNrrdImageIO.h>
 #include <itkVectorImage.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -272,14 +273,31 @@ TEST(LabelImageReader, ZeroSpacingIsRefused)
 TEST(LabelImageReader, VoxelOfANiftiFileHasTheVolumeOfTheSform)
 {
   const TestFolder folder;
+  const auto       spacingOf = [&] { return readLabelImage(folder / "a.nii").image->GetSpacing()[0]; };
   writeTwoLabels(folder / "a.nii", false);
-  const double before = readLabelImage(folder / "a.nii").image->GetSpacing()[0];
-  const float  longer = static_cast<float>(-before * (1.0 + 1e-6)); // LPS to RAS
-  writePatchedNifti(folder / "a.nii", 280, longer);
-  EXPECT_NEAR(readLabelImage(folder / "a.nii").image->GetSpacing()[0] / -static_cast<double>(longer), 1.0, 1e-11);
-  // Units or a header that disagree are no rounding.
-  writePatchedNifti(folder / "a.nii", 280, 1.01F * longer);
-  EXPECT_NEAR(readLabelImage(folder / "a.nii").image->GetSpacing()[0] / before, 1.0, 1e-12);
+  const std::string bytes = readBytes(folder / "a.nii");
+  const double      before = spacingOf();
+  // Makes the sform's first column longer; returns its length, which pixdim does not follow.
+  const auto stretch = [&](float factor) {
+    std::string changed = bytes;
+    double      squares = 0.0;
+    for (const std::size_t offset : { 280, 296, 312 })
+    {
+      float component = 0.0F;
+      std::memcpy(&component, changed.data() + offset, sizeof component);
+      component *= factor;
+      squares += static_cast<double>(component) * static_cast<double>(component);
+      std::memcpy(changed.data() + offset, &component, sizeof component);
+    }
+    writeBytes(folder / "a.nii", changed);
+    return std::sqrt(squares);
+  };
+  const double longer = stretch(1.000001F);
+  ASSERT_GT(longer, before * (1.0 + 5e-7));
+  EXPECT_NEAR(spacingOf() / longer, 1.0, 1e-11);
+  // Units or a header that disagree are no rounding: pixdim, a float, counts.
+  (void)stretch(1.01F);
+  EXPECT_NEAR(spacingOf() / before, 1.0, 1e-7);
 }
 
 TEST(LabelImageReader, ShearIsRefused)
