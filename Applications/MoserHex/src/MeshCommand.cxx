@@ -200,7 +200,7 @@ describeResult(const SolidMeshingResult & result, const std::vector<MeshingStage
 {
   for (const MeshingStageReport & stage : stages)
   {
-    StageRecord record{ stage.name, stage.seconds, {} };
+    StageRecord record{ stage.name, stage.seconds, {}, stage.note };
     if (stage.quality)
     {
       record.quality = StageQuality{ stage.quality->volumeVariance,

@@ -366,6 +366,8 @@ TEST_F(CommandLine, MeshWritesLatticeReportAndTable)
   EXPECT_EQ(report["mesh"]["cells"], 343);
   EXPECT_NEAR(report["mesh"]["volume_mm3"].get<double>(), report["input"]["volume_mm3"].get<double>(), 0.1 * 51000);
   EXPECT_TRUE(report["stages"].back().contains("volume_variance"));
+  EXPECT_EQ(report["stages"][1]["name"], "shell ordering");
+  EXPECT_NE(report["stages"][1]["note"].get<std::string>().find("chan-vese"), std::string::npos) << report["stages"][1];
   EXPECT_GT(report["threads"], 0);
 }
 

@@ -82,6 +82,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
     ordering->SetMethod(method);
     ordering->SetNumberOfShells(moserhex::shellsToExtract(m_Options));
     orderingStage.seconds += this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
+    orderingStage.note = orderingStage.note.empty() ? NameOf(method) : NameOf(method) + (", " + orderingStage.note);
 
     moserhex::SolidMeshingOptions options = m_Options;
     options.threads = this->GetNumberOfWorkUnits();

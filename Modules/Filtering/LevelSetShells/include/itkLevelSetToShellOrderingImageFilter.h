@@ -27,6 +27,21 @@ enum class ShellMethod
   Eikonal
 };
 
+/** As the command line has it. */
+inline const char *
+NameOf(ShellMethod method)
+{
+  switch (method)
+  {
+    case ShellMethod::Snapshots:
+      return "snapshots";
+    case ShellMethod::Eikonal:
+      return "eikonal";
+    default:
+      return "chan-vese";
+  }
+}
+
 /** Options of LevelSetToShellOrderingImageFilter. Lengths are in nodes of the grid. */
 struct ShellOrderingFilterOptions
 {

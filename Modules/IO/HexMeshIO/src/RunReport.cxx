@@ -25,6 +25,10 @@ stageJson(const StageRecord & stage)
     json["sj_min"] = stage.quality->scaledJacobianMinimum;
     json["sj_median"] = stage.quality->scaledJacobianMedian;
   }
+  if (!stage.note.empty())
+  {
+    json["note"] = stage.note;
+  }
   return json;
 }
 

@@ -24,7 +24,8 @@ someReport()
   report.input.voxels = 68000;
   report.input.volume = 51000.1;
   report.parameters = { 10, "moser", "chan-vese", "", "anatomical", "" };
-  report.stages = { { "conditioning", 0.5, {} }, { "moser", 0.25, StageQuality{ 1e-3, 0.1, -0.05, 0.7 } } };
+  report.stages = { { "conditioning", 0.5, {} },
+                    { "moser", 0.25, StageQuality{ 1e-3, 0.1, -0.05, 0.7 }, "31 steps, certified" } };
   report.mesh = { "mesh.vtu", 8000, 6859, 51000.2 };
   report.surface = RunReport::Surface{ 0.1, 0.4 };
   report.warnings = { "the label touches the first slice" };
@@ -50,6 +51,8 @@ TEST(RunReport, HasTheDocumentedKeys)
     EXPECT_TRUE(json["stages"][1].contains(key)) << key;
   }
   EXPECT_FALSE(json["stages"][0].contains("sj_min"));
+  EXPECT_FALSE(json["stages"][0].contains("note"));
+  EXPECT_EQ(json["stages"][1]["note"], "31 steps, certified");
   EXPECT_EQ(json["mesh"]["nodes"], 8000);
   EXPECT_EQ(json["surface"]["max_mm"], 0.4);
   EXPECT_EQ(json["warnings"].size(), 1u);

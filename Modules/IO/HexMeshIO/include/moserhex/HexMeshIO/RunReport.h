@@ -27,6 +27,7 @@ struct StageRecord
   std::string                 name;
   double                      seconds{ 0.0 };
   std::optional<StageQuality> quality; ///< only for stages that leave a mesh
+  std::string                 note{};  ///< what the stage did, in words; may be empty
 };
 
 /** What a run read, did and made: written as JSON beside the mesh. Lengths in mm, LPS. */
