@@ -89,6 +89,68 @@ TEST(SurfaceCoverage, GradientHasTaylorRemainderOfSecondOrder)
   EXPECT_NEAR(taylorOrder(energyOf(coverage, 80.0), mesh, 1e-2), 2.0, 0.1);
 }
 
+namespace
+{
+/** Of weight 2, of the points below. */
+double
+energyOfStiffness(double lowest, double middle, double highest)
+{
+  return lowest * 0.3 * 0.3 + middle * 1.0 + highest * 2.0 * 2.0;
+}
+
+/** Points 0.8, 1.5 and 2.5 above the middles of three quadrilaterals of the cube [0,3]^3, x. */
+struct ThreePointsAboveACube
+{
+  ThreePointsAboveACube()
+  {
+    coverage.associate(x);
+  }
+
+  [[nodiscard]] double
+  energy() const
+  {
+    return valueAt(energyOf(coverage, 2.0), x);
+  }
+
+  VectorXd        x{ vectorOf(unitCells(4, 0.0, 1)) };
+  SurfaceCoverage coverage{ LatticeLayout(4),
+                            { Vector3(0.5, 0.5, 3.8), Vector3(1.5, 1.5, 4.5), Vector3(2.5, 2.5, 5.5) },
+                            1 };
+};
+} // namespace
+
+TEST(SurfaceCoverage, OnlySpringsOfPointsBeyondTheToleranceAreStrengthened)
+{
+  ThreePointsAboveACube three;
+  EXPECT_NEAR(three.energy(), energyOfStiffness(1.0, 1.0, 1.0), 1e-12);
+  EXPECT_EQ(three.coverage.strengthen(2.6, 4.0), 0u);
+  EXPECT_NEAR(three.energy(), energyOfStiffness(1.0, 1.0, 1.0), 1e-12);
+  EXPECT_EQ(three.coverage.strengthen(2.0, 4.0), 1u);
+  EXPECT_NEAR(three.energy(), energyOfStiffness(1.0, 1.0, 4.0), 1e-12);
+  EXPECT_EQ(three.coverage.strengthen(1.0, 3.0), 2u);
+  EXPECT_NEAR(three.energy(), energyOfStiffness(1.0, 3.0, 12.0), 1e-12);
+}
+
+TEST(SurfaceCoverage, StrengthenedSpringsStayStiffWhenAssociatedAgain)
+{
+  ThreePointsAboveACube three;
+  EXPECT_EQ(three.coverage.strengthen(1.0, 4.0), 2u);
+  three.coverage.associate(2.0 * three.x);
+  three.coverage.associate(three.x);
+  EXPECT_NEAR(three.energy(), energyOfStiffness(1.0, 4.0, 4.0), 1e-12);
+}
+
+TEST(SurfaceCoverage, GradientOfStrengthenedSpringsHasTaylorRemainderOfSecondOrder)
+{
+  const HexMesh   mesh = drained(3, 0.6);
+  SurfaceCoverage coverage(LatticeLayout(6), surfacePointsOf(organ.lattice(3), organ.distance()), 1);
+  coverage.associate(vectorOf(mesh));
+  const double before = valueAt(energyOf(coverage, 80.0), vectorOf(mesh));
+  EXPECT_GT(coverage.strengthen(0.8 * coverage.largestDistance(), 4.0), 0u);
+  EXPECT_GT(valueAt(energyOf(coverage, 80.0), vectorOf(mesh)), 1.01 * before); // else nothing is tested
+  EXPECT_NEAR(taylorOrder(energyOf(coverage, 80.0), mesh, 1e-2), 2.0, 0.1);
+}
+
 TEST(SurfaceCoverage, SurfacePointsLieOnTheSurface)
 {
   for (const double scale : { 0.9, 1.0, 1.05 })
