@@ -255,6 +255,60 @@ TEST(VolumeEqualisation, ShakenBallUntangles)
   expectExact(equaliseVolumes(start, ball.distance(), ball.volume()), ball.distance(), ball.volume(), 8);
 }
 
+TEST(VolumeEqualisation, CoarseLatticeThatStaysTangledIsUntangledBeforeItIsRefined)
+{
+  EqualisationOptions options = nodes(8);
+  options.surfaceTolerance = 2.0; // cells are 4 mm wide
+  options.repairRounds = 0;
+  for (const std::uint64_t seed : { 3u, 6u, 9u })
+  {
+    HexMesh start = banana.lattice(3);
+    Random  random(seed);
+    for (Vector3 & node : start.nodes) // those of the boundary, too
+    {
+      const double x = random.uniform(-1, 1);
+      const double y = random.uniform(-1, 1);
+      const double z = random.uniform(-1, 1);
+      node += 15.0 * Vector3(x, y, z);
+    }
+    const EqualisationResult result = equaliseVolumes(start, banana.distance(), banana.volume(), options);
+    EXPECT_TRUE(result.exact) << seed;
+    const std::size_t stages = options.coarseStages.size();
+    ASSERT_GT(result.steps.size(), stages) << seed;
+    EXPECT_GT(result.steps[stages - 1].uncertified, 0u) << seed; // else nothing is tested
+    EXPECT_EQ(result.steps[stages].nodesPerSide, 6) << seed;
+  }
+}
+
+TEST(VolumeEqualisation, MeshThatTheProjectionSpoilsIsMadeMoreEqualBeforeItIsProjectedAgain)
+{
+  // Slender, bent, and with the cube's corners turned: the first projection leaves a cell that is not certified.
+  const BentEllipsoid organ{ Vector3(50.0, 12.0, 12.0), 0.015 };
+  const Matrix3       turn = analytic::rotation(Vector3(1.0, 1.0, 1.0).normalized(), 0.9);
+  HexMesh             start = ballOfRadius(1.0).lattice(3);
+  for (Vector3 & node : start.nodes)
+  {
+    node = organ.ofUnitBall(turn * node);
+  }
+  EqualisationOptions options;
+  options.surfaceTolerance = 3.0; // cells are 6 mm wide, and there are five along the whole length
+  options.repairRounds = 0;
+  const EqualisationResult              result = equaliseVolumes(start, organ.distance(), organ.volume(), options);
+  std::vector<const EqualisationStep *> projections;
+  for (const EqualisationStep & step : result.steps)
+  {
+    if (step.name == "project")
+    {
+      projections.push_back(&step);
+    }
+  }
+  EXPECT_TRUE(result.exact);
+  ASSERT_EQ(projections.size(), 2u);
+  EXPECT_GT(projections[0]->uncertified, 0u); // else nothing is tested
+  EXPECT_EQ(projections[1]->uncertified, 0u);
+  EXPECT_EQ((projections[1] - 1)->name, "minimise");
+}
+
 TEST(VolumeEqualisation, ResultForAnyTangleIsHonest)
 {
   // Without an order to start from there need be no way out: then the result says so.
