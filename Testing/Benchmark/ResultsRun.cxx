@@ -26,7 +26,10 @@ runPipeline(const LabelImage & image, const RunOptions & runOptions)
     options.flow.smoothedPasses = 0;
   }
   run.pipeline->SetMeshingOptions(options);
-  run.pipeline->SetShellMethod(runOptions.method);
+  if (runOptions.method)
+  {
+    run.pipeline->SetShellMethod(*runOptions.method);
+  }
   run.pipeline->SetInput(image.image);
   run.pipeline->SetLabel(chooseLabel(image, std::nullopt).value);
   const Stopwatch stopwatch;

@@ -5,6 +5,7 @@
 #include "moserhex/HexMeshIO/LabelImageReader.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,11 @@ struct Run
 
 struct RunOptions
 {
-  int                   shells{ 10 };
-  MeshingStage          lastStage{ MeshingStage::Moser };
-  MeshingWay            way{ MeshingWay::Faithful }; ///< matters for MeshingStage::Exact only
-  bool                  smoothing{ true };
-  Pipeline::ShellMethod method{ Pipeline::ShellMethod::ChanVese };
+  int                                  shells{ 10 };
+  MeshingStage                         lastStage{ MeshingStage::Moser };
+  MeshingWay                           way{ MeshingWay::Faithful }; ///< matters for MeshingStage::Exact only
+  bool                                 smoothing{ true };
+  std::optional<Pipeline::ShellMethod> method; ///< empty: what the command does by default
 };
 
 /** A mesh that is not exact is accepted: the tables say so. */
