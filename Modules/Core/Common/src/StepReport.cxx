@@ -23,4 +23,11 @@ progressBetween(const ProgressCallback & callback, double from, double to)
   return [callback, from, to](double fraction) { return callback(from + (to - from) * fraction); };
 }
 
+ProgressCallback
+progressOfPart(const ProgressCallback & callback, std::size_t part, std::size_t parts)
+{
+  const auto count = static_cast<double>(parts);
+  return progressBetween(callback, static_cast<double>(part) / count, static_cast<double>(part + 1) / count);
+}
+
 } // namespace moserhex

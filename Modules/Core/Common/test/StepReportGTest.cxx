@@ -39,6 +39,20 @@ TEST(ProgressBetween, PassesTheStopOn)
   EXPECT_THROW(reportProgress(part, 0.6), Cancelled);
 }
 
+TEST(ProgressOfPart, DividesTheWholeEvenly)
+{
+  std::vector<double>    seen;
+  const ProgressCallback whole = [&seen](double fraction) {
+    seen.push_back(fraction);
+    return true;
+  };
+  for (std::size_t part = 0; part < 4; ++part)
+  {
+    reportProgress(progressOfPart(whole, part, 4), 0.5);
+  }
+  EXPECT_EQ(seen, (std::vector<double>{ 0.125, 0.375, 0.625, 0.875 }));
+}
+
 TEST(NotConverged, CarriesItsReport)
 {
   StepReport report;

@@ -23,11 +23,12 @@ struct EqualisationFlaws
   double      distance{ 0.0 };       ///< largest, of the boundary to the surface
   double      uncovered{ 0.0 };      ///< largest, of the surface to the boundary
   double      scaledJacobian{ 1.0 }; ///< smallest
+  bool        unequal{ false };      ///< a projection did not make the cells equal
 
   [[nodiscard]] bool
   none(const FlawLimits & limits) const
   {
-    return uncertified == 0 && distance <= limits.distance && uncovered <= limits.uncovered &&
+    return !unequal && uncertified == 0 && distance <= limits.distance && uncovered <= limits.uncovered &&
            scaledJacobian >= limits.scaledJacobian;
   }
 
@@ -59,10 +60,11 @@ private:
     return before > limit && length < factor * before;
   }
 
-  [[nodiscard]] std::tuple<std::size_t, double, double, double>
+  [[nodiscard]] std::tuple<bool, std::size_t, double, double, double>
   inOrderOfWeight(const FlawLimits & limits) const
   {
-    return { uncertified,
+    return { unequal,
+             uncertified,
              std::max(distance, limits.distance),
              std::max(uncovered, limits.uncovered),
              -std::min(scaledJacobian, limits.scaledJacobian) };

@@ -106,7 +106,10 @@ LatticeOptimiser::minimise(Eigen::VectorXd &         x,
     m_Coverage.associate(x);
     const int left = stage.maximumSteps - total.report.steps;
     options.maximumSteps = m_Coverage.isInDoubt() ? std::min(left, stepsBetweenAssociations) : left;
-    const LimitedMemoryBfgsResult part = minimiseByLimitedMemoryBfgs(function, x, precondition, options, progress);
+    const auto                    allSteps = static_cast<double>(stage.maximumSteps);
+    const double                  done = total.report.steps / allSteps;
+    const LimitedMemoryBfgsResult part = minimiseByLimitedMemoryBfgs(
+      function, x, precondition, options, progressBetween(progress, done, done + options.maximumSteps / allSteps));
     total.value = part.value;
     total.gradientNorm = part.gradientNorm;
     total.evaluations += part.evaluations;

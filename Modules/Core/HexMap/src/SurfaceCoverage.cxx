@@ -20,15 +20,16 @@ constexpr double watchedPartOfFreeDistance = 0.5;
 
 constexpr std::size_t pointsPerBlock = 64;
 
-constexpr double wantedSurfacePoints = 2000.0;
-constexpr int    newtonSteps = 4;
+/** More points than these pull together as these do. */
+constexpr double usualNumberOfPoints = 2000.0;
 
 } // namespace
 
 SurfaceCoverage::SurfaceCoverage(const LatticeLayout & layout, Positions surfacePoints, unsigned int threads)
   : m_Layout(layout), m_SurfacePoints(std::move(surfacePoints)), m_Threads(threads), m_Quads(boundaryQuads(layout))
 {
-  m_Stiffness.assign(m_SurfacePoints.size(), 1.0);
+  const auto count = static_cast<double>(m_SurfacePoints.size());
+  m_Stiffness.assign(m_SurfacePoints.size(), usualNumberOfPoints / std::max(usualNumberOfPoints, count));
 }
 
 void
@@ -137,46 +138,6 @@ SurfaceCoverage::addEnergy(const Eigen::VectorXd & x, double weight, Eigen::Vect
     m_Layout.add(gradient, quad[(spring.side + 1) % 4], spring.weights[1] * pull);
   }
   return energy;
-}
-
-Positions
-surfacePointsOf(const HexMesh & lattice, const SignedDistance & phi)
-{
-  const LatticeLayout layout(lattice.nodesPerSide);
-  const auto          quads = boundaryQuads(layout);
-  const int perSide = std::max(1, static_cast<int>(std::sqrt(wantedSurfacePoints / static_cast<double>(quads.size()))));
-  Positions points;
-  for (const auto & quad : quads)
-  {
-    const Vector3 & a = lattice.nodes[quad[0]];
-    const Vector3 & b = lattice.nodes[quad[1]];
-    const Vector3 & c = lattice.nodes[quad[2]];
-    const Vector3 & d = lattice.nodes[quad[3]];
-    const double    longestStep = 0.25 * ((c - a).norm() + (d - b).norm());
-    for (int v = 0; v < perSide; ++v)
-    {
-      for (int u = 0; u < perSide; ++u)
-      {
-        const double s = (u + 0.5) / perSide;
-        const double t = (v + 0.5) / perSide;
-        Vector3      p = (1 - s) * (1 - t) * a + s * (1 - t) * b + s * t * c + (1 - s) * t * d;
-        for (int step = 0; step < newtonSteps; ++step)
-        {
-          Vector3      gradient;
-          const double value = phi(p, gradient);
-          const double slope = std::max(gradient.norm(), 1e-3);
-          const double length = std::min(std::max(value / slope, -longestStep), longestStep);
-          p -= length / slope * gradient;
-        }
-        Vector3 gradient;
-        if (std::abs(phi(p, gradient)) < 0.1 * longestStep)
-        {
-          points.push_back(p);
-        }
-      }
-    }
-  }
-  return points;
 }
 
 } // namespace moserhex

@@ -14,9 +14,10 @@ namespace moserhex
  *
  *   E(x) = w / 2 sum over surface points p of k_p max(0, |p - b(x)| - d)^2
  *
- * k_p = 1 until it is strengthened, b(x) being the point of the lattice's boundary that was nearest to p when
- * associate() was called. The boundary is taken as four triangles around the centre of every quadrilateral; d is half a
- * cell's edge, so that a lattice that covers the surface is free. All lengths in units of a cell's edge. */
+ * k_p = 1 until it is strengthened, or less where there are more points than 2000, b(x) being the point of the
+ * lattice's boundary that was nearest to p when associate() was called. The boundary is taken as four triangles around
+ * the centre of every quadrilateral; d is half a cell's edge, so that a lattice that covers the surface is free. All
+ * lengths in units of a cell's edge. */
 class SurfaceCoverage
 {
 public:
@@ -63,10 +64,5 @@ private:
   std::vector<double>                     m_Stiffness; ///< k
   std::vector<Spring>                     m_Springs;   ///< of points farther away than half of d
 };
-
-/** Points spread over the organ's surface: of every boundary quadrilateral of a lattice, put onto {phi = 0} by Newton
- * steps of at most half a quadrilateral. About two thousand, or one a quadrilateral when that is more [mm]. */
-[[nodiscard]] Positions
-surfacePointsOf(const HexMesh & lattice, const SignedDistance & phi);
 
 } // namespace moserhex

@@ -1,5 +1,6 @@
 // Taylor remainder: slope fitted, within 0.1 of 2. Round-off: 1e-12. Threads: bit for bit.
 #include "LatticeOptimiser.h"
+#include "SurfacePoints.h"
 
 #include "ShapeEnergy.h"
 #include "TestEnergies.h"
@@ -34,7 +35,8 @@ optimiserOfBall(int n, unsigned int threads)
   const BentEllipsoid ball = ballOfCells(n);
   const HexMesh       cubes =
     mappedLattice(n, [n](const Vector3 & x) { return Vector3((n - 1.0) * (x - Vector3::Constant(0.5))); });
-  return { n, ball.distance(), surfacePointsOf(cubes, ball.distance()), (n - 1.0) * (n - 1.0) * (n - 1.0), threads };
+  const double volume = (n - 1.0) * (n - 1.0) * (n - 1.0);
+  return { n, ball.distance(), surfacePoints(cubes.nodes, ball.distance(), volume, 2000, threads), volume, threads };
 }
 } // namespace
 

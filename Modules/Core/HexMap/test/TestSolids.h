@@ -66,6 +66,22 @@ struct BentEllipsoid
     }
     return mesh;
   }
+
+  /** Of the boundary nodes of such a lattice: points of the surface. */
+  [[nodiscard]] Positions
+  boundaryPoints(int shells) const
+  {
+    const HexMesh mesh = lattice(shells);
+    Positions     points;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+    {
+      if (onBoundary(mesh.nodesPerSide, node))
+      {
+        points.push_back(mesh.nodes[node]);
+      }
+    }
+    return points;
+  }
 };
 
 inline BentEllipsoid

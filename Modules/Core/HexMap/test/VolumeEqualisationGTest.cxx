@@ -7,9 +7,11 @@
 #include "TestSolids.h"
 #include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Geometry/ClosestPoint.h"
 #include "moserhex/HexMap/MassMeasure.h"
 #include "moserhex/Quality/HexQuality.h"
 #include "moserhex/Quality/JacobianBounds.h"
+#include "moserhex/StructuredGrid/CubeLattice.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 using namespace moserhex;
 using namespace moserhex::testing;
@@ -72,6 +75,28 @@ largestDistance(const HexMesh & mesh, const SignedDistance & phi)
   return largest;
 }
 
+/** Of the points from the boundary's quadrilaterals, taken as two triangles each. */
+double
+largestDistanceFromBoundary(const Positions & points, const HexMesh & mesh)
+{
+  const CubeLattice lattice(mesh.nodesPerSide / 2);
+  TriangleMesh      boundary;
+  boundary.vertices = mesh.nodes;
+  for (const Quad & quad : lattice.quadsOfShell(lattice.shells()))
+  {
+    const auto at = [&quad](int corner) { return static_cast<VertexIndex>(quad[corner]); };
+    boundary.triangles.push_back({ at(0), at(1), at(2) });
+    boundary.triangles.push_back({ at(0), at(2), at(3) });
+  }
+  const ClosestPointSearch search(boundary);
+  double                   largest = 0.0;
+  for (const Vector3 & point : points)
+  {
+    largest = std::max(largest, search.closest(point).squaredDistance);
+  }
+  return std::sqrt(largest);
+}
+
 /** What the result says is what the mesh is. */
 void
 expectHonest(const EqualisationResult & result, const SignedDistance & phi, double volume)
@@ -114,7 +139,46 @@ expectExact(const BentEllipsoid & organ, int shells, int nodesPerSide)
   const EqualisationResult result =
     equaliseVolumes(organ.lattice(shells), organ.distance(), organ.volume(), nodes(nodesPerSide));
   expectExact(result, organ.distance(), organ.volume(), nodesPerSide);
+  if (nodesPerSide % 2 == 0)
+  {
+    const double edge = std::cbrt(organ.volume() / static_cast<double>(result.mesh.cellCount()));
+    EXPECT_LE(result.uncoveredDistance, edge);
+    EXPECT_NEAR(
+      largestDistanceFromBoundary(organ.boundaryPoints(12), result.mesh), result.uncoveredDistance, 0.1 * edge);
+  }
 }
+
+/** A ball and a round horn of the radius along x, up to x = reach, around it: volume in closed form. */
+struct HornedBall
+{
+  double ballRadius;
+  double hornRadius;
+  double reach;
+
+  [[nodiscard]] double
+  volume() const
+  {
+    const double pi = std::acos(-1.0);
+    const double root = std::sqrt(ballRadius * ballRadius - hornRadius * hornRadius);
+    const double ball = 4.0 / 3.0 * pi * std::pow(ballRadius, 3);
+    const double cylinder = pi * hornRadius * hornRadius * (reach - hornRadius);
+    const double cylinderInBall = 2.0 / 3.0 * pi * (std::pow(ballRadius, 3) - std::pow(root, 3));
+    return ball + cylinder - cylinderInBall + 2.0 / 3.0 * pi * std::pow(hornRadius, 3);
+  }
+
+  [[nodiscard]] SignedDistance
+  distance() const
+  {
+    return [*this](const Vector3 & p, Vector3 & gradient) {
+      const Vector3 axis(std::min(std::max(p[0], 0.0), reach - hornRadius), 0.0, 0.0);
+      const double  toBall = p.norm() - ballRadius;
+      const double  toHorn = (p - axis).norm() - hornRadius;
+      gradient = toBall < toHorn ? Vector3(p / std::max(p.norm(), 1e-9))
+                                 : Vector3((p - axis) / std::max((p - axis).norm(), 1e-9));
+      return std::min(toBall, toHorn);
+    };
+  }
+};
 
 // Sizes of organs: the ball 40 mm across, the others of about the same volume.
 const BentEllipsoid ball = ballOfRadius(20.0);
@@ -375,12 +439,39 @@ TEST(VolumeEqualisation, VolumeThatTheSurfaceDoesNotHoldIsReported)
   }
 }
 
-TEST(VolumeEqualisation, SurfaceFarFromTheStartIsReportedOrReached)
+TEST(VolumeEqualisation, SurfaceAsideOfTheStartIsReachedOrReported)
+{
+  BentEllipsoid away = ball;
+  away.shift = Vector3(30.0, 0.0, 0.0);
+  const auto result = equaliseVolumes(ball.lattice(2), away.distance(), ball.volume());
+  expectHonest(result, away.distance(), ball.volume());
+}
+
+TEST(VolumeEqualisation, PartOfTheOrganThatTheStartDoesNotReachIsReachedOrReported)
+{
+  for (const auto & [hornRadius, nodesPerSide] : { std::make_pair(1.5, 10), std::make_pair(2.5, 12) })
+  {
+    const HornedBall organ{ 10.0, hornRadius, 26.5 };
+    const auto       result =
+      equaliseVolumes(ballOfRadius(10.0).lattice(3), organ.distance(), organ.volume(), nodes(nodesPerSide));
+    expectHonest(result, organ.distance(), organ.volume());
+    double end = 0.0;
+    for (const Vector3 & node : result.mesh.nodes)
+    {
+      end = std::max(end, node[0]);
+    }
+    const double edge = std::cbrt(organ.volume() / static_cast<double>(result.mesh.cellCount()));
+    const double missing = organ.reach - end;
+    EXPECT_TRUE(!result.exact || missing < edge) << hornRadius << " mm: " << missing << " mm are missing";
+    EXPECT_GT(result.uncoveredDistance, missing - 0.5) << hornRadius;
+  }
+}
+
+TEST(VolumeEqualisation, SurfaceFarFromTheStartIsRefused)
 {
   BentEllipsoid away = ball;
   away.shift = Vector3(500.0, 0.0, 0.0);
-  const auto result = equaliseVolumes(ball.lattice(2), away.distance(), ball.volume());
-  expectHonest(result, away.distance(), ball.volume());
+  EXPECT_THROW((void)equaliseVolumes(ball.lattice(2), away.distance(), ball.volume()), InvalidInput);
 }
 
 TEST(VolumeEqualisation, NoStepsAtAllAreReported)
@@ -538,6 +629,8 @@ TEST(VolumeEqualisation, StageOutOfRangeIsRefused)
                                            EqualisationStage{ infinity, 50.0, 80.0, 60, 1 },
                                            EqualisationStage{ 0.1, -1.0, 80.0, 60, 1 },
                                            EqualisationStage{ 0.1, notANumber, 80.0, 60, 1 },
+                                           EqualisationStage{ 0.1, infinity, 80.0, 60, 1 },
+                                           EqualisationStage{ 0.1, 50.0, infinity, 60, 1 },
                                            EqualisationStage{ 0.1, 50.0, -1.0, 60, 1 },
                                            EqualisationStage{ 0.1, 50.0, 80.0, -1, 1 },
                                            EqualisationStage{ 0.1, 50.0, 80.0, 60, 0 },
@@ -553,6 +646,19 @@ TEST(VolumeEqualisation, StageOutOfRangeIsRefused)
     options.directStages = { stage };
     expectRefused(options);
   }
+}
+
+TEST(VolumeEqualisation, ListWithoutAStageIsRefused)
+{
+  EqualisationOptions options;
+  options.coarseStages.clear();
+  expectRefused(options);
+  options = {};
+  options.finestStages.clear();
+  expectRefused(options);
+  options = {};
+  options.directStages.clear();
+  expectRefused(options);
 }
 
 TEST(VolumeEqualisation, RepairOptionsOutOfRangeAreRefused)

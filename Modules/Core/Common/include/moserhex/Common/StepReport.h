@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -27,5 +28,9 @@ reportProgress(const ProgressCallback & callback, double fraction);
 /** The part [from, to] of a larger task, as a callback for a sub-task. */
 [[nodiscard]] ProgressCallback
 progressBetween(const ProgressCallback & callback, double from, double to);
+
+/** The part number `part`, from 0, of `parts` equal parts of a larger task. */
+[[nodiscard]] ProgressCallback
+progressOfPart(const ProgressCallback & callback, std::size_t part, std::size_t parts);
 
 } // namespace moserhex

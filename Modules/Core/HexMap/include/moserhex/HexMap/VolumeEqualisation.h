@@ -89,16 +89,16 @@ tangledCells(int nodesPerSide);
  *    f the regularised mean ratio, s the signed distance of boundary nodes and quad centres in cell edges, which slide
  *    freely; the inverse of the lattice Laplacian by cosine transforms stands in for the inverse Hessian. From the
  *    lattice given through ever finer ones, prolonged by cubics. Points of the surface that the boundary has drained
- *    from pull it back.
+ *    from, or that the start does not reach, pull it to them.
  * 2. Newton projection onto equal measures by the smoothest displacement (EqualMeasureProjection.h).
  * 3. Certifies det J > 0 in every cell by its Bezier coefficients, pushes the doubtful ones open, and projects again.
  *
  * \param start    any lattice of the same solid, tangled or not; n >= 2, at most the n wanted
- * \param phi      the organ's surface is {phi = 0} [mm]
+ * \param phi      the organ's surface is {phi = 0}, closed; negative somewhere in the box around the start [mm]
  * \param volume   of the label, > 0 [mm^3]
  * \param measure  what is equalised; for VolumeMeasure the total is `volume`
  * \param total    sum of the measure over the organ; every cell gets total / (n-1)^3, > 0 [unit of the measure]
- * \throws InvalidInput  no n^3 finite nodes; a volume, total or option out of range
+ * \throws InvalidInput  no n^3 finite nodes; a volume, total or option out of range; no closed surface at the start
  * \throws Cancelled     by the callback
  * \note Never throws for a mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is
  * returned as it is. Deterministic for any number of threads. */

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "EqualisedLattice.h"
+#include "moserhex/Common/Stopwatch.h"
+#include "moserhex/HexMap/VolumeEqualisation.h"
+
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+/** One attempt at the whole work of stage J, from one start: owns the lattice on its way from coarse to fine. */
+class Equaliser
+{
+public:
+  Equaliser(const HexMesh & start, const EqualisationProblem & problem) : m_Lattice(start, problem)
+  {}
+
+  /** Of the boundary to the level that encloses the volume, before a minimisation. */
+  enum class Boundary
+  {
+    AsItIs,
+    OnLevel
+  };
+
+  /** Minimises on the present lattice, with one stage after the other. */
+  void
+  minimise(const std::vector<EqualisationStage> & stages, Boundary boundary, const ProgressCallback & progress);
+
+  /** A lattice that is still tangled is minimised without regard to the volumes and with ever less regularisation, and
+   * once more as before. Kept when that untangles it. */
+  void
+  untangle(const EqualisationStage & lastStage, const ProgressCallback & progress);
+
+  /** Takes the mesh to a finer or coarser lattice. */
+  void
+  resample(int nodesPerSide)
+  {
+    m_Lattice.resample(nodesPerSide);
+  }
+
+  /** From a minimised mesh to an exact one. Most meshes may be projected as they are; where that leaves a flaw the
+   * cells are made much more equal first, which costs more, and repaired after. Keeps the better of the two. */
+  void
+  finish(const EqualisationStage & lastStage, const ProgressCallback & progress);
+
+  [[nodiscard]] EqualisationResult
+  result() const;
+
+private:
+  /** Raises the weight of the volumes until the mean square deviation is below the goal. */
+  void
+  settle(EqualisationStage stage, double goal, const ProgressCallback & progress);
+
+  /** Onto equal measures. Returns the flaws of the mesh after it. */
+  EqualisationFlaws
+  project(LatticeOptimiser & optimiser, const ProgressCallback & progress);
+
+  /** Pushes doubtful cells open and pulls what is off the surface harder, in rounds. Projects again when nothing is
+   * left to repair, when a round did not help, and in the end; keeps the best projected mesh and returns its flaws.
+   * \param present  flaws of the mesh, which has been projected */
+  EqualisationFlaws
+  repair(LatticeOptimiser & optimiser, EqualisationFlaws present, const ProgressCallback & progress);
+
+  /** Adds a step to the report; returns the flaws of the mesh. */
+  EqualisationFlaws
+  log(const std::string & name, int iterations, int evaluations, const Stopwatch & time, LatticeOptimiser & optimiser);
+
+  EqualisedLattice              m_Lattice;
+  std::vector<EqualisationStep> m_Steps;
+};
+
+/** The projection bends cells that are far from equal; below this mean square deviation it bends them hardly at all. */
+constexpr double readyDeviation = 3e-5;
+/** Factor on the weight of the volumes while they are not yet as equal. */
+constexpr double settlingGrowth = 4.0;
+
+} // namespace moserhex

@@ -1,0 +1,231 @@
+#include "ExactStage.h"
+
+#include "TurnedFrames.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
+#include "moserhex/HexMap/MassMeasure.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+namespace moserhex
+{
+namespace
+{
+
+const double degree = std::acos(-1.0) / 180.0;
+
+/** Turned frames that are tried on a lattice of 6 and of 10 nodes a side. */
+constexpr std::size_t turnsOnCoarsestLattice = 24;
+constexpr std::size_t turnsOnCoarseLattice = 6;
+
+SignedDistance
+signedDistance(const CubicInterpolator & phi)
+{
+  return [&phi](const Vector3 & point, Vector3 & gradient) {
+    const ValueAndGradient at = phi.at(point);
+    gradient = at.gradient;
+    return at.value;
+  };
+}
+
+EqualisationOptions
+equalisationOptions(const SolidMeshingOptions & options)
+{
+  EqualisationOptions equalisation = options.equalisation;
+  equalisation.nodesPerSide = 2 * options.shells;
+  equalisation.threads = options.threads;
+  return equalisation;
+}
+
+EqualisationResult
+equalise(const ExactStage &          stage,
+         const EqualisationOptions & options,
+         const HexMesh &             start,
+         const ProgressCallback &    progress)
+{
+  return equaliseVolumes(start, signedDistance(stage.phi), stage.volume, options, progress);
+}
+
+void
+keep(EqualisationResult && equalised, SolidMeshingResult & result)
+{
+  result.mesh = std::move(equalised.mesh);
+  equalised.mesh = {};
+  result.equalisation = std::move(equalised);
+}
+
+/** Equal masses, from a mesh of equal volumes, on which the quadrature is chosen. */
+void
+equaliseMasses(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
+{
+  const SolidMeshingOptions & options = stage.options;
+  const MassQuadrature        rule =
+    chooseMassQuadrature(result.mesh, *options.density, options.densityAccuracy, options.threads);
+  const MassMeasure measure(*options.density, rule.options);
+  keep(equaliseMeasures(result.mesh,
+                        signedDistance(stage.phi),
+                        stage.volume,
+                        measure,
+                        stage.volume,
+                        equalisationOptions(options),
+                        progress),
+       result);
+  result.mass = MassReport{ measureEquality(result.mesh, measure, options.threads).variance,
+                            measure.estimateError(result.mesh, options.threads) };
+  if (result.mass->quadratureError > options.densityAccuracy)
+  {
+    std::ostringstream text;
+    text << "masses are integrated to " << result.mass->quadratureError << " of the mean mass only, wanted "
+         << options.densityAccuracy << ": the density is rougher than the cells";
+    result.warnings.push_back(text.str());
+  }
+}
+
+/** A mesh that was given up before its cells were made equal (EqualisationOptions::hopelessCells). */
+bool
+isGivenUp(const EqualisationResult & result)
+{
+  constexpr double equalVariance = 1e-12;
+  return result.variance > equalVariance;
+}
+
+/** Smaller is better. */
+auto
+badness(const EqualisationResult & result)
+{
+  return std::make_tuple(
+    !result.exact, isGivenUp(result), result.concaveCells, result.uncertifiedCells, result.largestDistance);
+}
+
+/** How far a start led on a coarse lattice; smaller is better. */
+struct Prospect
+{
+  std::size_t uncertifiedCells{ 0 };
+  double      smallestScaledJacobian{ 0.0 };
+  Matrix3     turn{ Matrix3::Identity() };
+
+  [[nodiscard]] bool
+  isBetterThan(const Prospect & other) const
+  {
+    return std::make_tuple(uncertifiedCells, -smallestScaledJacobian) <
+           std::make_tuple(other.uncertifiedCells, -other.smallestScaledJacobian);
+  }
+};
+
+/** Sorts turns by the meshes they lead to on a coarse lattice, best first, and keeps the best. */
+void
+keepBestOnLattice(const ExactStage & stage, int nodesPerSide, std::size_t count, std::vector<Matrix3> & turns)
+{
+  EqualisationOptions coarse = equalisationOptions(stage.options);
+  coarse.nodesPerSide = std::min(nodesPerSide, coarse.nodesPerSide);
+  coarse.repairRounds = 0;
+  coarse.hopelessCells = 0;
+  coarse.threads = 1;
+  std::vector<Prospect> prospects(turns.size());
+  parallelFor(turns.size(), stage.options.threads, [&](std::size_t t) {
+    const EqualisationResult result = equalise(stage, coarse, stage.turnedStart(turns[t]), {});
+    prospects[t] = { result.uncertifiedCells, summarizeQuality(result.mesh).scaledJacobian.minimum, turns[t] };
+  });
+  std::stable_sort(
+    prospects.begin(), prospects.end(), [](const Prospect & a, const Prospect & b) { return a.isBetterThan(b); });
+  turns.resize(std::min(count, turns.size()));
+  for (std::size_t t = 0; t < turns.size(); ++t)
+  {
+    turns[t] = prospects[t].turn;
+  }
+}
+
+std::string
+describeTurn(const Matrix3 & turn)
+{
+  const Eigen::AngleAxis<double> rotation(turn);
+  std::ostringstream             text;
+  text << "the lattice is turned by " << std::round(rotation.angle() / degree) << " degrees about ("
+       << std::setprecision(2) << rotation.axis().transpose() << "): its own frame did not lead to an exact mesh";
+  return text.str();
+}
+
+/** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Judges many turns by
+ * where the edges lie on the surface, some of them by meshes on ever finer coarse lattices, meshes the best at full
+ * size until one is exact, and keeps the best mesh. Where none is exact an own frame that was given up is worked out.
+ */
+void
+tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
+{
+  const SolidMeshingOptions & options = stage.options;
+  std::vector<Matrix3> turns = promisingTurns(stage.surface, stage.sphereMap, turnsOnCoarsestLattice, options.threads);
+  reportProgress(progress, 0.3);
+  keepBestOnLattice(stage, 6, turnsOnCoarseLattice, turns);
+  reportProgress(progress, 0.5);
+  keepBestOnLattice(stage, 10, static_cast<std::size_t>(options.turnedFrames), turns);
+  if (isGivenUp(*result.equalisation))
+  {
+    turns.emplace_back(Matrix3::Identity());
+  }
+  const ProgressCallback atFullSize = progressBetween(progress, 0.6, 1.0);
+  for (std::size_t t = 0; t < turns.size() && !result.equalisation->exact; ++t)
+  {
+    EqualisationResult equalised = equalise(
+      stage, equalisationOptions(options), stage.turnedStart(turns[t]), progressOfPart(atFullSize, t, turns.size()));
+    if (badness(equalised) < badness(*result.equalisation))
+    {
+      keep(std::move(equalised), result);
+      result.turnWarning = turns[t].isIdentity() ? "" : describeTurn(turns[t]);
+    }
+  }
+}
+
+} // namespace
+
+void
+makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
+{
+  const SolidMeshingOptions & options = stage.options;
+  const bool                  maybeTurned = stage.turnedStart && options.turnedFrames > 0;
+  const bool                  hasDensity = options.density != nullptr;
+  const ProgressCallback      ofVolumes = progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0);
+  EqualisationOptions         ownFrame = equalisationOptions(options);
+  if (maybeTurned)
+  {
+    ownFrame.hopelessCells = std::min(ownFrame.hopelessCells, tangledCells(ownFrame.nodesPerSide));
+  }
+  keep(equalise(stage, ownFrame, result.mesh, progressBetween(ofVolumes, 0.0, maybeTurned ? 0.3 : 1.0)), result);
+  if (maybeTurned && !result.equalisation->exact)
+  {
+    tryTurnedFrames(stage, result, progressBetween(ofVolumes, 0.3, 1.0));
+  }
+  if (hasDensity)
+  {
+    equaliseMasses(stage, result, progressBetween(progress, 0.5, 1.0));
+  }
+}
+
+void
+requireExact(const EqualisationResult &  result,
+             const SolidMeshingOptions & options,
+             std::vector<std::string> &  warnings)
+{
+  if (result.exact)
+  {
+    return;
+  }
+  std::string all;
+  for (const std::string & shortcoming : result.shortcomings)
+  {
+    all += (all.empty() ? "" : "; ") + shortcoming;
+    warnings.push_back("not exact: " + shortcoming);
+  }
+  if (!options.allowPartial)
+  {
+    throw NotConverged("not exact: " + all, result.report);
+  }
+}
+
+} // namespace moserhex

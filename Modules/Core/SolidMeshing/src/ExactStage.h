@@ -1,0 +1,35 @@
+#pragma once
+
+#include "moserhex/LevelSet/CubicInterpolation.h"
+#include "moserhex/SolidMeshing/SolidMeshing.h"
+
+#include <functional>
+
+namespace moserhex
+{
+
+/** What stage J works with besides the mesh it starts from. All is kept by reference. */
+struct ExactStage
+{
+  const CubicInterpolator &   phi;
+  double                      volume; ///< of the label [mm^3]
+  const SolidMeshingOptions & options;
+  const TriangleMesh &        surface;   ///< outermost shell
+  const Positions &           sphereMap; ///< of it
+  /** The start with the cube turned; empty: only the frame there is. */
+  std::function<HexMesh(const Matrix3 & turn)> turnedStart;
+};
+
+/** Stage J: equal volumes, in turned frames where the own does not lead to an exact mesh, then equal masses where a
+ * density is given. Replaces result.mesh; sets result.equalisation, result.mass and result.turnWarning. */
+void
+makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress);
+
+/** Warns of what is missing for an exact mesh.
+ * \throws NotConverged  something is, and options.allowPartial is not set */
+void
+requireExact(const EqualisationResult &  result,
+             const SolidMeshingOptions & options,
+             std::vector<std::string> &  warnings);
+
+} // namespace moserhex
