@@ -1,12 +1,10 @@
 #include "moserhex/Numerics/CubeTransform.h"
 
-#include "LineTransform.h"
-#include "PanelKernels.h"
+#include "FieldLines.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <mutex>
 #include <string>
@@ -19,35 +17,6 @@ namespace
 {
 /** Lines transformed together. */
 constexpr Eigen::Index panelLanes = 64;
-
-/** Lines of one field: line l begins at (l % inner) + (l / inner) * outerStep and goes on in steps of `step`. */
-struct LineSet
-{
-  Eigen::Index count;
-  Eigen::Index step;
-  Eigen::Index inner;
-  Eigen::Index outerStep;
-
-  [[nodiscard]] Eigen::Index
-  start(Eigen::Index line) const
-  {
-    return line % inner + line / inner * outerStep;
-  }
-
-  /** Neighbouring lines begin at neighbouring values. */
-  [[nodiscard]] bool
-  liesSideBySide() const
-  {
-    return inner >= count;
-  }
-
-  /** A line's values are neighbours, and lines begin in equal steps. */
-  [[nodiscard]] bool
-  isContiguous() const
-  {
-    return step == 1 && inner == 1;
-  }
-};
 
 /** What a thread works with: its own engine and its own panel. */
 struct Worker
@@ -128,73 +97,6 @@ requireSymbol(const Eigen::VectorXd & symbol, Eigen::Index n)
   }
 }
 
-/** Copies `count` lines from line `first` on into a panel, whose other rows become zero. */
-void
-load(LinePanel & panel, const double * values, const LineSet & lines, Eigen::Index first, Eigen::Index count)
-{
-  panel.bottomRows(panel.rows() - count).setZero();
-  const double * const start = values + lines.start(first);
-  if (lines.liesSideBySide())
-  {
-    for (Eigen::Index i = 0; i < panel.cols(); ++i)
-    {
-      std::copy_n(start + i * lines.step, count, panel.data() + i * panel.rows());
-    }
-    return;
-  }
-  if (lines.isContiguous())
-  {
-    transposeLines(start,
-                   static_cast<std::size_t>(lines.outerStep),
-                   static_cast<std::size_t>(count),
-                   static_cast<std::size_t>(panel.cols()),
-                   panel.data(),
-                   static_cast<std::size_t>(panel.rows()));
-    return;
-  }
-  for (Eigen::Index lane = 0; lane < count; ++lane)
-  {
-    const double * const line = values + lines.start(first + lane);
-    for (Eigen::Index i = 0; i < panel.cols(); ++i)
-    {
-      panel(lane, i) = line[i * lines.step];
-    }
-  }
-}
-
-/** Copies `count` lines of a panel back. */
-void
-store(const LinePanel & panel, double * values, const LineSet & lines, Eigen::Index first, Eigen::Index count)
-{
-  double * const start = values + lines.start(first);
-  if (lines.liesSideBySide())
-  {
-    for (Eigen::Index i = 0; i < panel.cols(); ++i)
-    {
-      std::copy_n(panel.data() + i * panel.rows(), count, start + i * lines.step);
-    }
-    return;
-  }
-  if (lines.isContiguous())
-  {
-    transposeLines(panel.data(),
-                   static_cast<std::size_t>(panel.rows()),
-                   static_cast<std::size_t>(panel.cols()),
-                   static_cast<std::size_t>(count),
-                   start,
-                   static_cast<std::size_t>(lines.outerStep));
-    return;
-  }
-  for (Eigen::Index lane = 0; lane < count; ++lane)
-  {
-    double * const line = values + lines.start(first + lane);
-    for (Eigen::Index i = 0; i < panel.cols(); ++i)
-    {
-      line[i * lines.step] = panel(lane, i);
-    }
-  }
-}
-
 /** Fields in memory: stacks of n^3 points with `interleaved` values each. */
 struct Memory
 {
@@ -265,9 +167,9 @@ withPanel(Worker &        worker,
   const Eigen::Index count = std::min(panelLanes, lines.count - first);
   const Eigen::Index rows = (count + linesTogether - 1) / linesTogether * linesTogether;
   worker.panel.resize(rows, n);
-  load(worker.panel, values, lines, first, count);
+  loadLines(worker.panel, values, lines, first, count);
   body();
-  store(worker.panel, values, lines, first, count);
+  storeLines(worker.panel, values, lines, first, count);
 }
 
 /** Threads that are worth their start. */
