@@ -5,11 +5,14 @@
 #     LAYER           Core | Filtering | IO        which layer the module lives in
 #     HEADERS         include/...                  installed
 #     SOURCES         src/...                      none: header-only
+#     LANE_SOURCES    src/... test/...             those of the sources and tests that compute on Lanes
 #     DEPENDS         Geometry Numerics            public: modules by name, or ITK, VTK
 #     PRIVATE_DEPENDS ...                          used in src/ only
 #     TESTS           test/XGTest.cxx ...          one executable <NAME>Tests
-#     TEST_DEPENDS    Analytic ...                 modules used by the tests only
+#     TEST_DEPENDS    Analytic ...                 modules used by the tests and benchmarks only
 #     BENCHMARKS      benchmark/XBenchmark.cxx)    one executable each
+#
+# Tests and benchmarks see src/, for the parts that have no public header, and benchmarks what helps the tests.
 #
 # Arrows point downwards only. Core sees nothing but Core; Filtering and IO are siblings on top of Core;
 # Applications see all three. An arrow that points upwards or sideways stops the configuration.
@@ -46,7 +49,7 @@ endfunction()
 
 function(moserhex_add_module)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;LAYER"
-    "HEADERS;SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;BENCHMARKS")
+    "HEADERS;SOURCES;LANE_SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;BENCHMARKS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "moserhex_add_module(${arg_NAME}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -55,6 +58,11 @@ function(moserhex_add_module)
   set(target moserhex_${arg_NAME})
   list(TRANSFORM arg_DEPENDS PREPEND "MoserHex::" OUTPUT_VARIABLE public)
   list(TRANSFORM arg_PRIVATE_DEPENDS PREPEND "MoserHex::" OUTPUT_VARIABLE private)
+  list(TRANSFORM arg_TEST_DEPENDS PREPEND "MoserHex::" OUTPUT_VARIABLE test_only)
+  if(arg_LANE_SOURCES)
+    # No vector crosses a function that is not inlined, so the warning about how it would does not apply.
+    set_source_files_properties(${arg_LANE_SOURCES} PROPERTIES COMPILE_OPTIONS -Wno-psabi)
+  endif()
   if(arg_SOURCES)
     add_library(${target} STATIC ${arg_SOURCES} ${arg_HEADERS})
     target_link_libraries(${target} PUBLIC ${public} MoserHex::CompileSettings PRIVATE ${private} MoserHex::Warnings)
@@ -75,12 +83,15 @@ function(moserhex_add_module)
   if(MoserHex_BUILD_TESTING AND arg_TESTS)
     moserhex_add_tests(NAME ${arg_NAME} LAYER ${arg_LAYER} SOURCES ${arg_TESTS}
       DEPENDS ${arg_NAME} ${arg_TEST_DEPENDS})
+    target_include_directories(${arg_NAME}Tests PRIVATE src)
   endif()
   if(MoserHex_BUILD_BENCHMARKS AND arg_BENCHMARKS)
     foreach(source IN LISTS arg_BENCHMARKS)
       get_filename_component(benchmark ${source} NAME_WE)
       add_executable(${benchmark} ${source})
-      target_link_libraries(${benchmark} PRIVATE ${target} MoserHex::Analytic MoserHex::Warnings benchmark::benchmark_main)
+      target_link_libraries(${benchmark}
+        PRIVATE ${target} ${test_only} MoserHex::Analytic MoserHex::Warnings benchmark::benchmark_main)
+      target_include_directories(${benchmark} PRIVATE src test)
     endforeach()
   endif()
 endfunction()

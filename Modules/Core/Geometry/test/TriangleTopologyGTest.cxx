@@ -1,6 +1,8 @@
 // Exact: integers only.
 #include "moserhex/Geometry/TriangleTopology.h"
 
+#include "moserhex/Analytic/Refusals.h"
+#include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/Common/Errors.h"
 
 #include <gtest/gtest.h>
@@ -18,26 +20,6 @@ tetrahedron()
   TriangleMesh mesh;
   mesh.vertices = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   mesh.triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } };
-  return mesh;
-}
-
-/** n x n quads wrapped both ways: genus 1. */
-TriangleMesh
-torus(int n)
-{
-  TriangleMesh mesh;
-  const double step = 6.283185307179586 / n;
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      const double r = 3 + std::cos(j * step);
-      mesh.vertices.push_back({ r * std::cos(i * step), r * std::sin(i * step), std::sin(j * step) });
-      const int a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n, d = i * n + (j + 1) % n;
-      mesh.triangles.push_back({ a, b, c });
-      mesh.triangles.push_back({ a, c, d });
-    }
-  }
   return mesh;
 }
 
@@ -64,24 +46,16 @@ twoTetrahedra(bool sharingAVertex)
 }
 
 std::string
-messageOf(const TriangleMesh & mesh)
+refusalOf(const TriangleMesh & mesh)
 {
-  try
-  {
-    requireSphere(mesh, "label 3");
-  }
-  catch (const InvalidInput & error)
-  {
-    return error.what();
-  }
-  return {};
+  return analytic::messageOf([&] { requireSphere(mesh, "label 3"); });
 }
 
 } // namespace
 
 TEST(TriangleTopology, NeighboursShareTheEdgeOfTheirSide)
 {
-  const TriangleMesh     mesh = torus(7);
+  const TriangleMesh     mesh = analytic::torusSurface(7, 7);
   const TriangleTopology topology = triangleTopology(mesh);
   EXPECT_EQ(topology.edges.size(), mesh.triangles.size() * 3 / 2);
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
@@ -103,7 +77,7 @@ TEST(TriangleTopology, NeighboursShareTheEdgeOfTheirSide)
 
 TEST(TriangleTopology, VertexTriangleHoldsTheVertex)
 {
-  const TriangleMesh     mesh = torus(5);
+  const TriangleMesh     mesh = analytic::torusSurface(5, 5);
   const TriangleTopology topology = triangleTopology(mesh);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
   {
@@ -145,13 +119,13 @@ TEST(TriangleTopology, RepeatedVertexIsRefused)
 TEST(SurfaceTopologySummary, TetrahedronIsASphere)
 {
   EXPECT_TRUE(summarizeTopology(tetrahedron()).isSphere());
-  EXPECT_EQ(messageOf(tetrahedron()), "");
+  EXPECT_EQ(refusalOf(tetrahedron()), "accepted");
 }
 
 TEST(SurfaceTopologySummary, TorusIsRefusedWithItsEulerCharacteristic)
 {
-  EXPECT_EQ(summarizeTopology(torus(8)).eulerCharacteristic, 0);
-  EXPECT_NE(messageOf(torus(8)).find("label 3: V-E+F = 0, need 2 (genus 0)"), std::string::npos);
+  EXPECT_EQ(summarizeTopology(analytic::torusSurface(8, 8)).eulerCharacteristic, 0);
+  EXPECT_NE(refusalOf(analytic::torusSurface(8, 8)).find("label 3: V-E+F = 0, need 2 (genus 0)"), std::string::npos);
 }
 
 TEST(SurfaceTopologySummary, TwoSpheresAreTwoComponents)
@@ -159,7 +133,7 @@ TEST(SurfaceTopologySummary, TwoSpheresAreTwoComponents)
   const SurfaceTopologySummary s = summarizeTopology(twoTetrahedra(false));
   EXPECT_EQ(s.components, 2u);
   EXPECT_EQ(s.eulerCharacteristic, 4);
-  EXPECT_NE(messageOf(twoTetrahedra(false)).find("2 components"), std::string::npos);
+  EXPECT_NE(refusalOf(twoTetrahedra(false)).find("2 components"), std::string::npos);
 }
 
 TEST(SurfaceTopologySummary, SpheresThatTouchInAVertexAreNotManifold)

@@ -1,6 +1,8 @@
 // Exact: numbers of nodes, faces and cells; volumes to round-off (1e-12).
 #include "moserhex/Geometry/UnstructuredHexMesh.h"
 
+#include "moserhex/Analytic/Lattices.h"
+#include "moserhex/Analytic/Refusals.h"
 #include "moserhex/Common/Errors.h"
 
 #include <gtest/gtest.h>
@@ -16,42 +18,17 @@ using namespace moserhex;
 namespace
 {
 
-HexMesh
-regularLattice(int n)
-{
-  HexMesh mesh{ n, {} };
-  for (int k = 0; k < n; ++k)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i < n; ++i)
-      {
-        mesh.nodes.emplace_back(i, j, k);
-      }
-    }
-  }
-  return mesh;
-}
-
 std::string
 refusalOf(const UnstructuredHexMesh & mesh)
 {
-  try
-  {
-    requireValid(mesh);
-  }
-  catch (const InvalidInput & error)
-  {
-    return error.what();
-  }
-  return "accepted";
+  return analytic::messageOf([&] { requireValid(mesh); });
 }
 
 } // namespace
 
 TEST(UnstructuredHexMesh, LatticeThereAndBackIsTheSame)
 {
-  const HexMesh lattice = regularLattice(4);
+  const HexMesh lattice = analytic::cubeLattice(4);
   const auto    back = asLattice(unstructured(lattice));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->nodesPerSide, 4);
@@ -61,13 +38,13 @@ TEST(UnstructuredHexMesh, LatticeThereAndBackIsTheSame)
 
 TEST(UnstructuredHexMesh, OtherOrderOfCellsOrCornersIsNoLattice)
 {
-  UnstructuredHexMesh mesh = unstructured(regularLattice(4));
+  UnstructuredHexMesh mesh = unstructured(analytic::cubeLattice(4));
   std::swap(mesh.cells[3], mesh.cells[4]);
   EXPECT_FALSE(asLattice(mesh));
-  mesh = unstructured(regularLattice(4));
+  mesh = unstructured(analytic::cubeLattice(4));
   std::rotate(mesh.cells[5].begin(), mesh.cells[5].begin() + 1, mesh.cells[5].begin() + 4);
   EXPECT_FALSE(asLattice(mesh));
-  mesh = unstructured(regularLattice(4));
+  mesh = unstructured(analytic::cubeLattice(4));
   mesh.nodes.emplace_back(9, 9, 9);
   EXPECT_FALSE(asLattice(mesh));
   EXPECT_FALSE(asLattice({}));
@@ -75,7 +52,7 @@ TEST(UnstructuredHexMesh, OtherOrderOfCellsOrCornersIsNoLattice)
 
 TEST(UnstructuredHexMesh, BoundaryOfALatticeHasSixSidesThatFaceOutwards)
 {
-  const UnstructuredHexMesh mesh = unstructured(regularLattice(5));
+  const UnstructuredHexMesh mesh = unstructured(analytic::cubeLattice(5));
   const auto                faces = boundaryFaces(mesh);
   EXPECT_EQ(faces.size(), 6U * 16U);
   double sixfoldVolume = 0.0;
@@ -89,7 +66,7 @@ TEST(UnstructuredHexMesh, BoundaryOfALatticeHasSixSidesThatFaceOutwards)
 
 TEST(UnstructuredHexMesh, FaceOfTwoCellsIsInsideWhateverTheOrderOfItsCorners)
 {
-  UnstructuredHexMesh mesh = unstructured(regularLattice(3));
+  UnstructuredHexMesh mesh = unstructured(analytic::cubeLattice(3));
   mesh.cells.resize(2); // neighbours along i
   std::rotate(mesh.cells[1].begin(), mesh.cells[1].begin() + 1, mesh.cells[1].begin() + 4);
   std::rotate(mesh.cells[1].begin() + 4, mesh.cells[1].begin() + 5, mesh.cells[1].end());
@@ -99,13 +76,13 @@ TEST(UnstructuredHexMesh, FaceOfTwoCellsIsInsideWhateverTheOrderOfItsCorners)
 TEST(UnstructuredHexMesh, BrokenMeshesAreRefusedByName)
 {
   EXPECT_NE(refusalOf({ { Vector3::Zero() }, {} }).find("without cells"), std::string::npos);
-  UnstructuredHexMesh mesh = unstructured(regularLattice(3));
+  UnstructuredHexMesh mesh = unstructured(analytic::cubeLattice(3));
   EXPECT_EQ(refusalOf(mesh), "accepted");
   mesh.cells[4][2] = 27;
   EXPECT_NE(refusalOf(mesh).find("cell 4 names node 27 of 27"), std::string::npos);
   mesh.cells[4][2] = mesh.cells[4][3];
   EXPECT_NE(refusalOf(mesh).find("twice"), std::string::npos);
-  mesh = unstructured(regularLattice(3));
+  mesh = unstructured(analytic::cubeLattice(3));
   mesh.nodes[7].y() = std::numeric_limits<double>::infinity();
   EXPECT_NE(refusalOf(mesh).find("node 7"), std::string::npos);
 }

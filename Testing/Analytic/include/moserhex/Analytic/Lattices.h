@@ -1,0 +1,34 @@
+#pragma once
+
+#include "moserhex/Geometry/HexMesh.h"
+
+namespace moserhex::analytic
+{
+
+/** Lattice of n nodes a side whose node (i,j,k) lies at place(Vector3(i,j,k)); called in the order of the nodes. */
+template <typename TPlace>
+[[nodiscard]] HexMesh
+lattice(int n, const TPlace & place)
+{
+  HexMesh mesh{ n, {} };
+  for (int k = 0; k < n; ++k)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        mesh.nodes.push_back(place(Vector3(i, j, k)));
+      }
+    }
+  }
+  return mesh;
+}
+
+/** Cells are cubes of this edge, the first node is the origin. */
+[[nodiscard]] inline HexMesh
+cubeLattice(int n, double edge = 1.0)
+{
+  return lattice(n, [edge](const Vector3 & index) { return Vector3(edge * index); });
+}
+
+} // namespace moserhex::analytic
