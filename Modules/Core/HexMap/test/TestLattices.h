@@ -1,5 +1,6 @@
 #pragma once
 
+#include "moserhex/Analytic/Lattices.h"
 #include "moserhex/Common/Random.h"
 #include "moserhex/Geometry/HexMesh.h"
 #include "moserhex/HexMap/SurfaceProjection.h"
@@ -16,18 +17,7 @@ template <typename TMap>
 HexMesh
 mappedLattice(int n, TMap map)
 {
-  HexMesh mesh{ n, {} };
-  for (int k = 0; k < n; ++k)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i < n; ++i)
-      {
-        mesh.nodes.push_back(map(Vector3(i, j, k) / (n - 1.0)));
-      }
-    }
-  }
-  return mesh;
+  return analytic::lattice(n, [&](const Vector3 & index) { return Vector3(map(index / (n - 1.0))); });
 }
 
 inline HexMesh

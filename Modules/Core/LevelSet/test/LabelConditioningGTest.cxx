@@ -1,6 +1,7 @@
 // Topology and determinism are exact; volumes to 1e-6 (the promise); distances to a fraction of the grid spacing, which
 // is what interpolation between voxels can give; moved images to 1e-9 mm.
 #include "TestShapes.h"
+#include "moserhex/Analytic/Refusals.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Geometry/TriangleTopology.h"
 #include "moserhex/LevelSet/CubicInterpolation.h"
@@ -62,17 +63,9 @@ expectSpheresAround(const LevelSet & phi)
 }
 
 std::string
-messageOf(const LabelVolume & label, const ConditioningOptions & options)
+refusalOf(const LabelVolume & label, const ConditioningOptions & options)
 {
-  try
-  {
-    (void)conditionLabel(label, options);
-  }
-  catch (const InvalidInput & error)
-  {
-    return error.what();
-  }
-  return "accepted";
+  return analytic::messageOf([&] { (void)conditionLabel(label, options); });
 }
 
 } // namespace
@@ -266,7 +259,7 @@ TEST(LabelConditioning, LabelWithAHandleIsRefusedWithItsNumbers)
   });
   ConditioningOptions options;
   options.labelName = "label 3";
-  EXPECT_EQ(messageOf(label, options),
+  EXPECT_EQ(refusalOf(label, options),
             "label 3: V-E+F = 0, need 2 (genus 0); 1 handle in the largest 6-connected component with its cavities "
             "filled");
 }
@@ -275,7 +268,7 @@ TEST(LabelConditioning, EmptyLabelIsRefused)
 {
   LabelVolume label = ballLabel({ { 45, 45, 45 } }, Vector3::Ones());
   std::fill(label.inside.begin(), label.inside.end(), std::uint8_t{ 0 });
-  EXPECT_EQ(messageOf(label, {}), "label: no voxel has this label");
+  EXPECT_EQ(refusalOf(label, {}), "label: no voxel has this label");
 }
 
 TEST(LabelConditioning, LabelThinnerThanTheSmoothingIsRefusedWithARemedy)
@@ -286,7 +279,7 @@ TEST(LabelConditioning, LabelThinnerThanTheSmoothingIsRefusedWithARemedy)
   ConditioningOptions options;
   options.smoothing = 2.0;
   options.spacing = 2.0;
-  const std::string message = messageOf(label, options);
+  const std::string message = refusalOf(label, options);
   EXPECT_NE(message.find("too thin"), std::string::npos) << message;
   EXPECT_NE(message.find("use less smoothing, a finer image, or a larger label"), std::string::npos) << message;
 }

@@ -1,6 +1,7 @@
 // Closed forms to round-off (1e-12 relative); a density of bounded second derivative to the stated order.
 #include "TestDensities.h"
 #include "TestShapes.h"
+#include "moserhex/Analytic/Refusals.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/LevelSet/LabelDensity.h"
 #include "moserhex/LevelSet/VoxelTopology.h"
@@ -94,15 +95,7 @@ maskedBy(const LabelVolume & label, ScalarVolume image, double outside)
 std::string
 refusalOf(const ScalarVolume & image, const LabelVolume & label)
 {
-  try
-  {
-    (void)densityOnLabel(image, label);
-  }
-  catch (const InvalidInput & error)
-  {
-    return error.what();
-  }
-  return "accepted";
+  return analytic::messageOf([&] { (void)densityOnLabel(image, label); });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // vertices it moves); closed
 // forms for linear functions (1e-12); orders fitted on four grids, slope within 0.1.
 #include "TestShapes.h"
+#include "moserhex/Analytic/ObservedOrder.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Geometry/TriangleTopology.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
@@ -32,19 +33,6 @@ withFrame(LevelSet levelSet, const Matrix3 & direction, const Vector3 & origin)
   levelSet.grid.direction = direction;
   levelSet.grid.origin = origin;
   return levelSet;
-}
-
-double
-slope(const std::vector<double> & h, const std::vector<double> & error)
-{
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < h.size(); ++i)
-  {
-    const double x = std::log(h[i]);
-    const double y = std::log(error[i]);
-    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 } // namespace
@@ -159,7 +147,7 @@ TEST(VolumeBelowLevel, BallIsSecondOrder)
     h.push_back(f.grid.spacing);
     error.push_back(std::abs(VolumeBelowLevel(f).volume(0.0) - 4.0 / 3.0 * pi * std::pow(0.7, 3)));
   }
-  EXPECT_NEAR(slope(h, error), 2.0, 0.1);
+  EXPECT_NEAR(analytic::observedOrder(h, error), 2.0, 0.1);
 }
 
 TEST(VolumeBelowLevel, CubesOfABracketGiveTheSameVolumeToTheBit)

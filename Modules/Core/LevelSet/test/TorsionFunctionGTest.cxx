@@ -1,5 +1,6 @@
 // Closed-form class: torsion of a ball and of an ellipsoid are quadratic; the error has order 2 in the spacing (fitted
 // slope within 0.15: the distance of the nearest node to the surface varies from grid to grid). Exact class: refusals.
+#include "moserhex/Analytic/ObservedOrder.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/LevelSet/TorsionFunction.h"
 
@@ -52,22 +53,14 @@ largestError(const LevelSet & phi, const Vector3 & axes)
 double
 observedOrder(const Vector3 & axes)
 {
-  double    sx = 0;
-  double    sy = 0;
-  double    sxx = 0;
-  double    sxy = 0;
-  const int count = 5;
-  for (int i = 0; i < count; ++i)
+  std::vector<double> spacings;
+  std::vector<double> errors;
+  for (int i = 0; i < 5; ++i)
   {
-    const double h = 1.6 / std::pow(1.5, i);
-    const double x = std::log(h);
-    const double y = std::log(largestError(ellipsoid(axes, h), axes));
-    sx += x;
-    sy += y;
-    sxx += x * x;
-    sxy += x * y;
+    spacings.push_back(1.6 / std::pow(1.5, i));
+    errors.push_back(largestError(ellipsoid(axes, spacings.back()), axes));
   }
-  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+  return analytic::observedOrder(spacings, errors);
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "moserhex/Quality/HexQuality.h"
 
+#include "moserhex/Analytic/Lattices.h"
+
 #include <benchmark/benchmark.h>
 
 using namespace moserhex;
@@ -7,18 +9,9 @@ using namespace moserhex;
 static void
 BM_SummarizeQuality(benchmark::State & state)
 {
-  const int n = static_cast<int>(state.range(0));
-  HexMesh   mesh{ n, {} };
-  for (int k = 0; k < n; ++k)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i < n; ++i)
-      {
-        mesh.nodes.emplace_back(i + 0.01 * j * k, j - 0.02 * i * k, k + 0.01 * i * j);
-      }
-    }
-  }
+  const HexMesh mesh = analytic::lattice(static_cast<int>(state.range(0)), [](const Vector3 & x) {
+    return Vector3(x[0] + 0.01 * x[1] * x[2], x[1] - 0.02 * x[0] * x[2], x[2] + 0.01 * x[0] * x[1]);
+  });
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(summarizeQuality(mesh));

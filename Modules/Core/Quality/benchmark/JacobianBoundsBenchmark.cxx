@@ -1,5 +1,7 @@
 #include "moserhex/Quality/JacobianBounds.h"
 
+#include "moserhex/Analytic/Lattices.h"
+
 #include <benchmark/benchmark.h>
 
 using namespace moserhex;
@@ -11,18 +13,9 @@ namespace
 HexMesh
 gentleLattice(int n)
 {
-  HexMesh mesh{ n, {} };
-  for (int k = 0; k < n; ++k)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i < n; ++i)
-      {
-        mesh.nodes.emplace_back(i + 0.002 * j * k, j - 0.003 * i * k, k + 0.002 * i * j);
-      }
-    }
-  }
-  return mesh;
+  return analytic::lattice(n, [](const Vector3 & x) {
+    return Vector3(x[0] + 0.002 * x[1] * x[2], x[1] - 0.003 * x[0] * x[2], x[2] + 0.002 * x[0] * x[1]);
+  });
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "moserhex/Quality/HexQuality.h"
 
 #include "TestHexahedra.h"
+#include "moserhex/Analytic/Lattices.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Random.h"
 
@@ -39,22 +40,6 @@ randomHex(std::uint64_t seed)
   return corners;
 }
 
-HexMesh
-regularMesh(int n, double spacing = 1.0)
-{
-  HexMesh mesh{ n, {} };
-  for (int k = 0; k < n; ++k)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i < n; ++i)
-      {
-        mesh.nodes.emplace_back(spacing * i, spacing * j, spacing * k);
-      }
-    }
-  }
-  return mesh;
-}
 } // namespace
 
 TEST(HexQuality, UnitCubeIsPerfect)
@@ -184,7 +169,7 @@ TEST(HexQuality, DistributionOfEquallySpacedNumbers)
 
 TEST(HexQuality, RegularMeshHasNoVarianceAndKnownClasses)
 {
-  const HexQualitySummary summary = summarizeQuality(regularMesh(6, 2.0));
+  const HexQualitySummary summary = summarizeQuality(analytic::cubeLattice(6, 2.0));
   EXPECT_EQ(summary.cells, 125U);
   EXPECT_NEAR(summary.volume, 1000.0, 1e-9);
   EXPECT_NEAR(summary.volumeVariance, 0.0, 1e-24);
@@ -198,7 +183,7 @@ TEST(HexQuality, RegularMeshHasNoVarianceAndKnownClasses)
 TEST(HexQuality, VarianceOfTwoThicknessesIsThePopulationVariance)
 {
   // Layers of thickness 1 and 3: ratios 1/2 and 3/2, variance 1/4.
-  HexMesh mesh = regularMesh(3);
+  HexMesh mesh = analytic::cubeLattice(3);
   for (Vector3 & node : mesh.nodes)
   {
     node[2] = node[2] > 1.5 ? 4.0 : node[2];
@@ -212,7 +197,7 @@ TEST(HexQuality, VarianceOfTwoThicknessesIsThePopulationVariance)
 
 TEST(HexQuality, ConcaveCellsAreCountedInTheirClass)
 {
-  HexMesh mesh = regularMesh(6);
+  HexMesh mesh = analytic::cubeLattice(6);
   mesh.nodes[mesh.nodeNumber(0, 0, 0)] = Vector3(0.6, 0.6, 0.6);  // corner cell
   mesh.nodes[mesh.nodeNumber(2, 2, 2)] += Vector3(0.7, 0.7, 0.7); // inner cell towards +++
   const HexQualitySummary summary = summarizeQuality(mesh);
@@ -225,12 +210,7 @@ TEST(HexQuality, ConcaveCellsAreCountedInTheirClass)
 
 TEST(HexQuality, VolumeQualityAgreesWithTheSummary)
 {
-  HexMesh mesh = regularMesh(5);
-  Random  random(5);
-  for (Vector3 & node : mesh.nodes)
-  {
-    node += Vector3(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
-  }
+  const HexMesh           mesh = perturbedLattice(5, 0.4, 5);
   const HexQualitySummary summary = summarizeQuality(mesh);
   const VolumeQuality     quality = volumeQuality(mesh);
   EXPECT_GT(summary.concaveCells, 0U);
@@ -241,7 +221,7 @@ TEST(HexQuality, VolumeQualityAgreesWithTheSummary)
 
 TEST(HexQuality, WrongNumberOfNodesIsRefused)
 {
-  HexMesh mesh = regularMesh(4);
+  HexMesh mesh = analytic::cubeLattice(4);
   mesh.nodes.pop_back();
   EXPECT_THROW(static_cast<void>(summarizeQuality(mesh)), InvalidInput);
   EXPECT_THROW(static_cast<void>(summarizeQuality(HexMesh{ 1, { Vector3::Zero() } })), InvalidInput);
@@ -249,29 +229,24 @@ TEST(HexQuality, WrongNumberOfNodesIsRefused)
 
 TEST(HexQuality, CoordinateThatIsNotFiniteIsRefused)
 {
-  HexMesh mesh = regularMesh(4);
+  HexMesh mesh = analytic::cubeLattice(4);
   mesh.nodes[17][1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(static_cast<void>(summarizeQuality(mesh)), InvalidInput);
 }
 
 TEST(HexQuality, CertificateCountsEveryCellOnce)
 {
-  HexMesh mesh = regularMesh(6);
+  HexMesh mesh = analytic::cubeLattice(6);
   mesh.nodes[mesh.nodeNumber(2, 2, 2)] += Vector3(0.7, 0.7, 0.7);
   const HexQualitySummary summary = summarizeQuality(mesh);
   EXPECT_EQ(summary.certified.positive + summary.certified.notPositive + summary.certified.undecided, 125U);
   EXPECT_GE(summary.certified.notPositive, summary.concaveCells);
-  EXPECT_EQ(summarizeQuality(regularMesh(6)).certified.positive, 125U);
+  EXPECT_EQ(summarizeQuality(analytic::cubeLattice(6)).certified.positive, 125U);
 }
 
 TEST(HexQuality, ListOfCellsGivesTheLatticesNumbersAndClasses)
 {
-  HexMesh mesh = regularMesh(5);
-  Random  random(9);
-  for (Vector3 & node : mesh.nodes)
-  {
-    node += Vector3(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
-  }
+  const HexMesh           mesh = perturbedLattice(5, 0.4, 9);
   const HexQualitySummary lattice = summarizeQuality(mesh);
   UnstructuredHexMesh     list = unstructured(mesh);
   const HexQualitySummary same = summarizeQuality(list);
@@ -289,12 +264,7 @@ TEST(HexQuality, ListOfCellsGivesTheLatticesNumbersAndClasses)
 
 TEST(HexQuality, ThreadsChangeNoBit)
 {
-  HexMesh mesh = regularMesh(13);
-  Random  random(9);
-  for (Vector3 & node : mesh.nodes)
-  {
-    node += Vector3(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
-  }
+  const HexMesh mesh = perturbedLattice(13, 0.4, 9);
   EXPECT_EQ(summarizeQuality(mesh, 1).skew.mean, summarizeQuality(mesh, 2).skew.mean);
   EXPECT_EQ(summarizeQuality(mesh, 1).volumeVariance, summarizeQuality(mesh, 2).volumeVariance);
 }

@@ -98,25 +98,6 @@ turnedOver(double a, double b)
   return withTopMapped(Eigen::Vector2d(-a, -b).asDiagonal());
 }
 
-HexMesh
-perturbedLattice(int n, double amplitude, std::uint64_t seed)
-{
-  Random  random(seed);
-  HexMesh mesh{ n, {} };
-  for (int k = 0; k < n; ++k)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i < n; ++i)
-      {
-        mesh.nodes.push_back(Vector3(i, j, k) +
-                             amplitude * Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
-      }
-    }
-  }
-  return mesh;
-}
-
 bool
 isConcave(const HexCorners & corners)
 {
