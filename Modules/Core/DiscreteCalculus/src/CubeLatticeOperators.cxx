@@ -284,18 +284,4 @@ CubeLatticeOperators::fluxFromPotential() const
   return flux;
 }
 
-CubeLatticeOperators::SparseMatrix
-CubeLatticeOperators::nodeLaplacian() const
-{
-  const SparseMatrix gradient = d0();
-  const SparseMatrix weighted = star1().asDiagonal() * gradient;
-  return SparseMatrix(gradient.transpose()) * weighted;
-}
-
-CubeLatticeOperators::SparseMatrix
-CubeLatticeOperators::cellLaplacian() const
-{
-  return d2() * fluxFromPotential();
-}
-
 } // namespace moserhex

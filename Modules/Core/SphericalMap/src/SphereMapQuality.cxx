@@ -47,24 +47,18 @@ singularValueRatio(const Positions & from, const Positions & to, const Triangle 
   return std::min(mean + std::sqrt(mean * mean - 1.0), largestRatio);
 }
 
-void
-addAngleErrors(const TriangleMesh & surface, const Positions & sphere, SphereMapQuality & quality)
+double
+meanAngleError(const TriangleMesh & surface, const Positions & sphere)
 {
-  std::vector<double> errors;
-  errors.reserve(3 * surface.triangles.size());
   double sum = 0.0;
   for (const Triangle & t : surface.triangles)
   {
     for (int k = 0; k < 3; ++k)
     {
-      errors.push_back(std::abs(angleAt(sphere, t, k) - angleAt(surface.vertices, t, k)) * degrees);
-      sum += errors.back();
+      sum += std::abs(angleAt(sphere, t, k) - angleAt(surface.vertices, t, k)) * degrees;
     }
   }
-  const auto p99 = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100);
-  std::nth_element(errors.begin(), p99, errors.end());
-  quality.meanAngleError = sum / static_cast<double>(errors.size());
-  quality.angleErrorP99 = *p99;
+  return sum / static_cast<double>(3 * surface.triangles.size());
 }
 
 } // namespace
@@ -127,8 +121,6 @@ sphereMapQuality(const TriangleMesh & surface, const Positions & sphere, double 
     throw InvalidInput(message.str());
   }
   const std::vector<double> targets = targetSolidAngles(surface, relativeFloor);
-  std::vector<double>       vertexTarget(sphere.size(), 0.0);
-  std::vector<double>       vertexSolidAngle(sphere.size(), 0.0);
   SphereMapQuality          quality;
   quality.flippedTriangles = countFlippedTriangles(surface.triangles, sphere);
   quality.areaRatioMin = std::numeric_limits<double>::infinity();
@@ -144,21 +136,9 @@ sphereMapQuality(const TriangleMesh & surface, const Positions & sphere, double 
     quality.areaRatioMax = std::max(quality.areaRatioMax, ratio);
     squares += targets[f] * (ratio - 1.0) * (ratio - 1.0);
     quality.quasiConformal += targets[f] * singularValueRatio(surface.vertices, sphere, t) / (4.0 * pi);
-    for (const VertexIndex v : t)
-    {
-      vertexTarget[v] += targets[f] / 3.0;
-      vertexSolidAngle[v] += solidAngle / 3.0;
-    }
   }
   quality.areaRatioRms = std::sqrt(squares / (4.0 * pi));
-  double vertexSquares = 0.0;
-  for (std::size_t v = 0; v < sphere.size(); ++v)
-  {
-    const double difference = vertexSolidAngle[v] - vertexTarget[v];
-    vertexSquares += vertexTarget[v] > 0.0 ? difference * difference / vertexTarget[v] : 0.0;
-  }
-  quality.vertexAreaRatioRms = std::sqrt(vertexSquares / (4.0 * pi));
-  addAngleErrors(surface, sphere, quality);
+  quality.meanAngleError = meanAngleError(surface, sphere);
   return quality;
 }
 

@@ -169,13 +169,6 @@ CubeLattice::relativeSize(int shell) const
   return (2.0 * shell - 1.0) / (2.0 * m_Shells - 1.0);
 }
 
-double
-CubeLattice::volumeFraction(int shell) const
-{
-  const double size = relativeSize(shell);
-  return size * size * size;
-}
-
 void
 CubeLattice::requireShell(int shell) const
 {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 using namespace moserhex;
@@ -126,7 +127,7 @@ TEST(CubeLattice, PositionsFillTheCubeAndShellsAreItsScaledCopies)
   }
 }
 
-TEST(CubeLattice, VolumeFractionsCountTheCellsInside)
+TEST(CubeLattice, CubedRelativeSizesCountTheCellsInside)
 {
   const CubeLattice lattice(5);
   for (int shell = 1; shell <= 5; ++shell)
@@ -136,8 +137,9 @@ TEST(CubeLattice, VolumeFractionsCountTheCellsInside)
     {
       inside += lattice.shellOfCell(cell) <= shell ? 1 : 0;
     }
-    EXPECT_NEAR(
-      lattice.volumeFraction(shell), static_cast<double>(inside) / static_cast<double>(lattice.cellCount()), 1e-15);
+    EXPECT_NEAR(std::pow(lattice.relativeSize(shell), 3),
+                static_cast<double>(inside) / static_cast<double>(lattice.cellCount()),
+                1e-15);
   }
 }
 

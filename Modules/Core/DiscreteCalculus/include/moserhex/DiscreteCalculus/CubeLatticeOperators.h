@@ -69,14 +69,6 @@ public:
   [[nodiscard]] SparseMatrix
   fluxFromPotential() const;
 
-  /** Laplacian of 0-forms with natural boundary, d0^T *1 d0, nodes x nodes, positive semidefinite. */
-  [[nodiscard]] SparseMatrix
-  nodeLaplacian() const;
-
-  /** d2 *2^-1 d2^T over the interior faces: zero flux through the boundary, cells x cells, positive semidefinite. */
-  [[nodiscard]] SparseMatrix
-  cellLaplacian() const;
-
 private:
   int    m_N;
   double m_Spacing;

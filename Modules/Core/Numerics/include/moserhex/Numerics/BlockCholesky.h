@@ -42,13 +42,6 @@ public:
   [[nodiscard]] Eigen::VectorXd
   solve(const Eigen::VectorXd & b) const;
 
-  /** Blocks of L below the diagonal: the size of the factor. */
-  [[nodiscard]] std::size_t
-  factorBlocks() const
-  {
-    return m_Rows.size();
-  }
-
 private:
   /** A block of A above the diagonal of the permuted matrix. */
   struct Entry

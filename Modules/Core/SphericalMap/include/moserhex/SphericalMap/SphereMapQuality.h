@@ -31,14 +31,12 @@ targetSolidAngles(std::vector<double> areas, double relativeFloor);
 /** How good a map of a closed surface to the unit sphere is. Area ratio r_f = solid angle / target solid angle. */
 struct SphereMapQuality
 {
-  int    flippedTriangles{ 0 };     ///< determinant of the corners not positive
-  double solidAngleSum{ 0.0 };      ///< 4 pi when the map covers the sphere once [sr]
-  double areaRatioRms{ 0.0 };       ///< sqrt(sum T_f (r_f - 1)^2 / 4 pi) over triangles [1]
-  double vertexAreaRatioRms{ 0.0 }; ///< the same over vertices, each with a third of its triangles [1]
-  double areaRatioMin{ 0.0 };       ///< [1]
-  double areaRatioMax{ 0.0 };       ///< [1]
+  int    flippedTriangles{ 0 }; ///< determinant of the corners not positive
+  double solidAngleSum{ 0.0 };  ///< 4 pi when the map covers the sphere once [sr]
+  double areaRatioRms{ 0.0 };   ///< sqrt(sum T_f (r_f - 1)^2 / 4 pi) over triangles [1]
+  double areaRatioMin{ 0.0 };   ///< [1]
+  double areaRatioMax{ 0.0 };   ///< [1]
   double meanAngleError{ 0.0 }; ///< mean over corners of |angle on the sphere's chords - angle on the surface| [deg]
-  double angleErrorP99{ 0.0 };  ///< 99th percentile of the same [deg]
   double quasiConformal{ 0.0 }; ///< area-weighted mean of sigma_1 / sigma_2 of the map, 1 when conformal [1]
 };
 

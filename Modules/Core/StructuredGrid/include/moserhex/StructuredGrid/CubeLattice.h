@@ -77,10 +77,6 @@ public:
   [[nodiscard]] double
   relativeSize(int shell) const;
 
-  /** Fraction of the cube's volume inside shell k, relativeSize^3 [1]. */
-  [[nodiscard]] double
-  volumeFraction(int shell) const;
-
 private:
   void
   requireShell(int shell) const;
