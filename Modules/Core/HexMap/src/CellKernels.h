@@ -170,7 +170,40 @@ edgesOf(const LaneVector * corners, CellEdges & edges)
   }
 }
 
-/** The transpose: gradients with respect to edges become gradients with respect to corners, added. */
+/** Numbers in CellEdges of the three edges at a corner. */
+struct CornerEdges
+{
+  std::size_t i;
+  std::size_t j;
+  std::size_t k;
+};
+
+MOSERHEX_INLINE CornerEdges
+edgesAt(std::size_t corner)
+{
+  const std::size_t i = corner & 1;
+  const std::size_t j = corner >> 1 & 1;
+  const std::size_t k = corner >> 2;
+  return { j + 2 * k, i + 2 * k, i + 2 * j };
+}
+
+/** The Jacobian matrix at a corner of the cells: its columns a b c, the edges, and the columns of its cofactors. */
+struct CornerFrame
+{
+  MOSERHEX_INLINE
+  CornerFrame(const CellEdges & edges, const CornerEdges & at)
+    : a(edges.i[at.i]), b(edges.j[at.j]), c(edges.k[at.k]), bc(cross(b, c)), ca(cross(c, a)), ab(cross(a, b))
+  {}
+
+  const LaneVector & a;
+  const LaneVector & b;
+  const LaneVector & c;
+  LaneVector         bc;
+  LaneVector         ca;
+  LaneVector         ab;
+};
+
+/** The transpose of edgesOf: gradients with respect to edges become gradients with respect to corners, added. */
 MOSERHEX_INLINE void
 addEdgeGradients(const CellEdges & edges, LaneVector * corners)
 {

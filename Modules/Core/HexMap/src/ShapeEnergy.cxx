@@ -44,21 +44,14 @@ slabEnergy(const LatticeLayout &      layout,
     const Lanes share = select(cells, allLanes(0.125), Lanes{});
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      const std::size_t  i = corner & 1;
-      const std::size_t  j = corner >> 1 & 1;
-      const std::size_t  k = corner >> 2;
-      const LaneVector & a = edges.i[j + 2 * k];
-      const LaneVector & b = edges.j[i + 2 * k];
-      const LaneVector & c = edges.k[i + 2 * j];
-      const LaneVector   bc = cross(b, c);
-      const LaneVector   ca = cross(c, a);
-      const LaneVector   ab = cross(a, b);
+      const CornerEdges at = edgesAt(corner);
+      const CornerFrame J(edges, at);
 
-      const Lanes                  determinant = select(cells, dot(a, bc), one);
+      const Lanes                  determinant = select(cells, dot(J.a, J.bc), one);
       const RegularisedDeterminant regular = regularised(determinant, weights.regularisation);
       const Lanes                  root = inverseCubeRoot(regular.chi);
       const Lanes                  chiPower = root * root; // chi^(-2/3)
-      const Lanes                  meanRatio = (dot(a, a) + dot(b, b) + dot(c, c)) * chiPower * (1.0 / 3.0);
+      const Lanes                  meanRatio = (dot(J.a, J.a) + dot(J.b, J.b) + dot(J.c, J.c)) * chiPower * (1.0 / 3.0);
       Lanes                        slope = share; // f^(p-1) / 8
       for (int factor = 1; factor < weights.power; ++factor)
       {
@@ -69,9 +62,9 @@ slabEnergy(const LatticeLayout &      layout,
 
       const Lanes alongEdges = slope * chiPower * (2.0 / 3.0);
       const Lanes alongCofactors = slope * meanRatio / regular.r * (-2.0 / 3.0);
-      edgeGradients.i[j + 2 * k] += alongEdges * a + alongCofactors * bc;
-      edgeGradients.j[i + 2 * k] += alongEdges * b + alongCofactors * ca;
-      edgeGradients.k[i + 2 * j] += alongEdges * c + alongCofactors * ab;
+      edgeGradients.i[at.i] += alongEdges * J.a + alongCofactors * J.bc;
+      edgeGradients.j[at.j] += alongEdges * J.b + alongCofactors * J.ca;
+      edgeGradients.k[at.k] += alongEdges * J.c + alongCofactors * J.ab;
     }
     addEdgeGradients(edgeGradients, gradients);
     addToCorners(layout, gradient, p, gradients);

@@ -53,28 +53,21 @@ addCornerProduct(const CellEdges & edges,
                  bool              full,
                  CellEdges &       product)
 {
-  const std::size_t  i = corner & 1;
-  const std::size_t  j = corner >> 1 & 1;
-  const std::size_t  k = corner >> 2;
-  const LaneVector & a = edges.i[j + 2 * k];
-  const LaneVector & b = edges.j[i + 2 * k];
-  const LaneVector & c = edges.k[i + 2 * j];
-  const LaneVector & da = motion.i[j + 2 * k];
-  const LaneVector & db = motion.j[i + 2 * k];
-  const LaneVector & dc = motion.k[i + 2 * j];
-  const LaneVector   bc = cross(b, c);
-  const LaneVector   ca = cross(c, a);
-  const LaneVector   ab = cross(a, b);
+  const CornerEdges  at = edgesAt(corner);
+  const CornerFrame  J(edges, at);
+  const LaneVector & da = motion.i[at.i];
+  const LaneVector & db = motion.j[at.j];
+  const LaneVector & dc = motion.k[at.k];
 
   const Lanes                  share = select(cells, allLanes(0.125), Lanes{});
-  const Lanes                  determinant = select(cells, dot(a, bc), allLanes(1.0));
+  const Lanes                  determinant = select(cells, dot(J.a, J.bc), allLanes(1.0));
   const RegularisedDeterminant regular = regularised(determinant, epsilon);
   const Lanes                  root = inverseCubeRoot(regular.chi);
   const Lanes                  chiPower = root * root; // t
   const Lanes                  inverseR = 1.0 / regular.r;
-  const Lanes                  meanRatio = (dot(a, a) + dot(b, b) + dot(c, c)) * chiPower * (1.0 / 3.0);
-  const Lanes                  edgeChange = dot(a, da) + dot(b, db) + dot(c, dc);           // J:D
-  const Lanes                  determinantChange = dot(bc, da) + dot(ca, db) + dot(ab, dc); // C:D
+  const Lanes                  meanRatio = (dot(J.a, J.a) + dot(J.b, J.b) + dot(J.c, J.c)) * chiPower * (1.0 / 3.0);
+  const Lanes                  edgeChange = dot(J.a, da) + dot(J.b, db) + dot(J.c, dc);           // J:D
+  const Lanes                  determinantChange = dot(J.bc, da) + dot(J.ca, db) + dot(J.ab, dc); // C:D
 
   const Lanes alpha = share * chiPower * (2.0 / 3.0);
   const Lanes beta = share * chiPower * inverseR * (-4.0 / 9.0);
@@ -82,15 +75,15 @@ addCornerProduct(const CellEdges & edges,
   const Lanes gamma = share * meanRatio * inverseR * inverseR * curvature;
   const Lanes alongEdges = beta * determinantChange;
   const Lanes alongCofactors = beta * edgeChange + gamma * determinantChange;
-  product.i[j + 2 * k] += alpha * da + alongEdges * a + alongCofactors * bc;
-  product.j[i + 2 * k] += alpha * db + alongEdges * b + alongCofactors * ca;
-  product.k[i + 2 * j] += alpha * dc + alongEdges * c + alongCofactors * ab;
+  product.i[at.i] += alpha * da + alongEdges * J.a + alongCofactors * J.bc;
+  product.j[at.j] += alpha * db + alongEdges * J.b + alongCofactors * J.ca;
+  product.k[at.k] += alpha * dc + alongEdges * J.c + alongCofactors * J.ab;
   if (full)
   {
     const Lanes slope = share * meanRatio * inverseR * (-2.0 / 3.0); // f_d
-    product.i[j + 2 * k] += slope * (cross(db, c) + cross(b, dc));
-    product.j[i + 2 * k] += slope * (cross(dc, a) + cross(c, da));
-    product.k[i + 2 * j] += slope * (cross(da, b) + cross(a, db));
+    product.i[at.i] += slope * (cross(db, J.c) + cross(J.b, dc));
+    product.j[at.j] += slope * (cross(dc, J.a) + cross(J.c, da));
+    product.k[at.k] += slope * (cross(da, J.b) + cross(J.a, db));
   }
 }
 

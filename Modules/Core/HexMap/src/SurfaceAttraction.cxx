@@ -1,6 +1,7 @@
 #include "SurfaceAttraction.h"
 
 #include "LatticeNodes.h"
+#include "SpringLengths.h"
 #include "moserhex/Common/Parallel.h"
 
 #include <Eigen/Geometry>
@@ -167,24 +168,13 @@ SurfaceAttraction::distances(const Eigen::VectorXd & x) const
 double
 SurfaceAttraction::largestDistance(const Eigen::VectorXd & x) const
 {
-  const std::vector<double> all = distances(x);
-  return *std::max_element(all.begin(), all.end());
+  return largestOf(distances(x));
 }
 
 std::size_t
 SurfaceAttraction::strengthen(const Eigen::VectorXd & x, double tolerance, double factor)
 {
-  const std::vector<double> all = distances(x);
-  std::size_t               count = 0;
-  for (std::size_t spring = 0; spring < all.size(); ++spring)
-  {
-    if (all[spring] > tolerance)
-    {
-      m_Weights[spring] *= factor;
-      ++count;
-    }
-  }
-  return count;
+  return strengthenBeyond(tolerance, factor, distances(x), m_Weights);
 }
 
 } // namespace moserhex

@@ -1,5 +1,6 @@
 #include "SurfaceCoverage.h"
 
+#include "SpringLengths.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Geometry/ClosestPoint.h"
 
@@ -76,7 +77,7 @@ SurfaceCoverage::associate(const Eigen::VectorXd & x)
 double
 SurfaceCoverage::largestDistance() const
 {
-  return m_Distances.empty() ? 0.0 : *std::max_element(m_Distances.begin(), m_Distances.end());
+  return largestOf(m_Distances);
 }
 
 bool
@@ -88,16 +89,7 @@ SurfaceCoverage::isInDoubt() const
 std::size_t
 SurfaceCoverage::strengthen(double tolerance, double factor)
 {
-  std::size_t count = 0;
-  for (std::size_t p = 0; p < m_Distances.size(); ++p)
-  {
-    if (m_Distances[p] > tolerance)
-    {
-      m_Stiffness[p] *= factor;
-      ++count;
-    }
-  }
-  return count;
+  return strengthenBeyond(tolerance, factor, m_Distances, m_Stiffness);
 }
 
 Vector3
