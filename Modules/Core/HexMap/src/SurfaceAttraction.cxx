@@ -25,6 +25,23 @@ constexpr int newtonSteps = 2;
 /** Smallest square of a slope a Newton step divides by. */
 constexpr double smallestSquaredSlope = 0.1;
 
+/** To the point of {phi = 0} that Newton steps along the gradient lead to, and what is left of it there: never less
+ * than to the nearest point, but for what phi's slope may be wrong by at the end, where phi is about 0. */
+double
+distanceToSurface(const SignedDistance & phi, const Vector3 & point)
+{
+  constexpr int steps = 4;
+  Vector3       place = point;
+  Vector3       gradient;
+  double        value = phi(place, gradient);
+  for (int step = 0; step < steps; ++step)
+  {
+    place -= value / std::max(gradient.squaredNorm(), smallestSlope * smallestSlope) * gradient;
+    value = phi(place, gradient);
+  }
+  return (place - point).norm() + std::abs(value) / std::max(gradient.norm(), smallestSlope);
+}
+
 } // namespace
 
 SurfaceAttraction::SurfaceAttraction(const LatticeLayout & layout, SignedDistance phi, unsigned int threads)
@@ -157,9 +174,7 @@ SurfaceAttraction::distances(const Eigen::VectorXd & x) const
   parallelForBlocks(springCount(), springsPerBlock, m_Threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t spring = begin; spring < end; ++spring)
     {
-      Vector3      gradient;
-      const double value = m_Phi(place(x, spring), gradient);
-      result[spring] = std::abs(value) / std::max(gradient.norm(), smallestSlope);
+      result[spring] = distanceToSurface(m_Phi, place(x, spring));
     }
   });
   return result;

@@ -64,11 +64,11 @@ public:
     return m_Nodes;
   }
 
-  /** Largest |phi| / |grad phi| over the nodes and the centres [unit]. */
+  /** Largest distance of the nodes and the centres to {phi = 0}, along the way of Newton steps [unit]. */
   [[nodiscard]] double
   largestDistance(const Eigen::VectorXd & x) const;
 
-  /** Multiplies w of the springs whose |phi| / |grad phi| exceeds the tolerance [unit]; returns their number. */
+  /** Multiplies w of the springs that are farther from {phi = 0} than the tolerance [unit]; returns their number. */
   std::size_t
   strengthen(const Eigen::VectorXd & x, double tolerance, double factor);
 
@@ -88,7 +88,7 @@ private:
   [[nodiscard]] Vector3
   place(const Eigen::VectorXd & x, std::size_t spring) const;
 
-  /** |phi| / |grad phi| of every spring. */
+  /** To {phi = 0}, of every spring. */
   [[nodiscard]] std::vector<double>
   distances(const Eigen::VectorXd & x) const;
 

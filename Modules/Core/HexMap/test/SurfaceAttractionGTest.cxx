@@ -241,6 +241,20 @@ TEST(SurfaceAttraction, LargestDistanceIsOverNodesAndCentres)
   EXPECT_NEAR(SurfaceAttraction(LatticeLayout(4), fromMiddle, 1).largestDistance(x), 1.5 * std::sqrt(3.0) - 1.5, 1e-13);
 }
 
+TEST(SurfaceAttraction, LargestDistanceIsTrueWherePhiIsNoDistance)
+{
+  // (|d|^2 - R^2) / (2 R) has slope 1 on the sphere only; to first order the corners are 0.97 away.
+  const double radius = 1.3;
+  const auto   quadratic = [radius](const Vector3 & p, Vector3 & gradient) {
+    const Vector3 d = p - Vector3::Constant(1.5);
+    gradient = d / radius;
+    return (d.squaredNorm() - radius * radius) / (2.0 * radius);
+  };
+  const VectorXd x = vectorOf(unitCells(4, 0.0, 1));
+  EXPECT_NEAR(
+    SurfaceAttraction(LatticeLayout(4), quadratic, 1).largestDistance(x), 1.5 * std::sqrt(3.0) - radius, 1e-6);
+}
+
 TEST(SurfaceAttraction, StrengthenMultipliesTheLongSpringsOnly)
 {
   const int         n = 5;

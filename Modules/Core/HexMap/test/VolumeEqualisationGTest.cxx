@@ -24,7 +24,7 @@ using namespace moserhex::testing;
 
 namespace
 {
-/** Largest |phi| over boundary nodes and the centres of boundary quadrilaterals. */
+/** Of boundary nodes and the centres of boundary quadrilaterals, each to where Newton steps along the gradient lead. */
 double
 largestDistance(const HexMesh & mesh, const SignedDistance & phi)
 {
@@ -32,8 +32,14 @@ largestDistance(const HexMesh & mesh, const SignedDistance & phi)
   double     largest = 0.0;
   Vector3    gradient;
   const auto look = [&](const Vector3 & point) {
-    const double value = std::abs(phi(point, gradient));
-    largest = std::max(largest, value / gradient.norm());
+    Vector3 onSurface = point;
+    double  value = phi(onSurface, gradient);
+    for (int step = 0; step < 4; ++step)
+    {
+      onSurface -= value / std::max(gradient.squaredNorm(), 0.09) * gradient;
+      value = phi(onSurface, gradient);
+    }
+    largest = std::max(largest, (onSurface - point).norm() + std::abs(value) / std::max(gradient.norm(), 0.3));
   };
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
   {

@@ -208,23 +208,28 @@ makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressC
 }
 
 void
-requireExact(const EqualisationResult &  result,
-             const SolidMeshingOptions & options,
-             std::vector<std::string> &  warnings)
+requireExact(const SolidMeshingOptions & options, SolidMeshingResult & result)
 {
-  if (result.exact)
+  EqualisationResult & equalisation = *result.equalisation;
+  const double         tolerance = options.equalisation.surfaceTolerance;
+  if (equalisation.largestDistance <= tolerance && !(result.boundary.maximum <= tolerance))
   {
-    return;
+    std::ostringstream text;
+    text << "boundary measured up to " << result.boundary.maximum << " mm off the surface, must be at most "
+         << tolerance;
+    equalisation.shortcomings.push_back(text.str());
+    equalisation.exact = false;
+    equalisation.report.converged = false;
   }
   std::string all;
-  for (const std::string & shortcoming : result.shortcomings)
+  for (const std::string & shortcoming : equalisation.shortcomings)
   {
     all += (all.empty() ? "" : "; ") + shortcoming;
-    warnings.push_back("not exact: " + shortcoming);
+    result.warnings.push_back("not exact: " + shortcoming);
   }
-  if (!options.allowPartial)
+  if (!equalisation.exact && !options.allowPartial)
   {
-    throw NotConverged("not exact: " + all, result.report);
+    throw NotConverged("not exact: " + all, equalisation.report);
   }
 }
 

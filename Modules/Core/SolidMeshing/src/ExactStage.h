@@ -25,11 +25,10 @@ struct ExactStage
 void
 makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress);
 
-/** Warns of what is missing for an exact mesh.
- * \throws NotConverged  something is, and options.allowPartial is not set */
+/** Warns of what is missing for an exact mesh. The boundary counts as it was measured, which result.equalisation is
+ * brought into line with.
+ * \throws NotConverged  something is missing, and options.allowPartial is not set */
 void
-requireExact(const EqualisationResult &  result,
-             const SolidMeshingOptions & options,
-             std::vector<std::string> &  warnings);
+requireExact(const SolidMeshingOptions & options, SolidMeshingResult & result);
 
 } // namespace moserhex

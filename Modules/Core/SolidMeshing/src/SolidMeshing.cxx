@@ -121,6 +121,10 @@ public:
       equalise();
     }
     m_Result.boundary = boundaryDistance(m_Result.mesh, nearestPointOn(outerSurface, m_PhiAt, level));
+    if (m_Options.lastStage == MeshingStage::Exact)
+    {
+      requireExact(m_Options, m_Result);
+    }
     reportProgress(m_Progress, 1.0);
     return std::move(m_Result);
   }
@@ -268,7 +272,6 @@ private:
     {
       m_Result.warnings.push_back(m_Result.turnWarning);
     }
-    requireExact(*m_Result.equalisation, m_Options, m_Result.warnings);
   }
 
   const LevelSet &            m_Ordering;
