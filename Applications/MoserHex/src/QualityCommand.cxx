@@ -8,7 +8,10 @@
 #include "moserhex/HexMeshIO/LabelImageReader.h"
 #include "moserhex/HexMeshIO/QualityReport.h"
 
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace moserhex::app
 {
@@ -64,13 +67,13 @@ measure(const QualityCommandOptions & options)
   report.nodes = file.mesh.nodes.size();
   report.warnings = file.warnings;
   report.quality = summarizeQuality(file.mesh, options.threads);
-  if (report.quality.volume < 0.0)
+  if (std::isnan(report.quality.volumeVariance))
+  {
+    report.warnings.push_back("the mesh has no volume: the variance and all ratios to the mean volume are undefined");
+  }
+  else if (report.quality.volume < 0.0)
   {
     report.warnings.push_back("the mesh's volume is negative: the cells' nodes are in left-handed order");
-  }
-  if (report.quality.volume == 0.0)
-  {
-    report.warnings.push_back("the mesh has no volume: ratios of volumes are not numbers");
   }
   if (!options.labelImage.empty())
   {
@@ -83,15 +86,33 @@ measure(const QualityCommandOptions & options)
   return report;
 }
 
+/** A ratio to a mean volume of 0 is undefined (NaN); one to an edge of no length is infinite, for Verdict the largest
+ * number there is. */
+std::string
+numberText(double value, int digits)
+{
+  if (std::isnan(value))
+  {
+    return "undefined";
+  }
+  if (value >= std::numeric_limits<double>::max())
+  {
+    return "infinite";
+  }
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return text.data();
+}
+
 void
 printClass(const char * name, const HexClassQuality & quality)
 {
   if (quality.cells > 0)
   {
-    std::printf("%-16s %9zu %12.3g %10.2f %8.3f %10.3f\n",
+    std::printf("%-16s %9zu %12s %10.2f %8.3f %10.3f\n",
                 name,
                 quality.cells,
-                quality.volumeVariance,
+                numberText(quality.volumeVariance, 3).c_str(),
                 100.0 * static_cast<double>(quality.concaveCells) / static_cast<double>(quality.cells),
                 quality.scaledJacobianMin,
                 quality.scaledJacobianMedian);
@@ -119,13 +140,13 @@ printClasses(const HexQualitySummary & quality)
 void
 printDistribution(const char * name, const Distribution & distribution)
 {
-  std::printf("%-24s %9.4g %9.4g %9.4g %9.4g %9.4g\n",
-              name,
-              distribution.minimum,
-              distribution.p01,
-              distribution.median,
-              distribution.p99,
-              distribution.maximum);
+  std::printf("%-24s", name);
+  for (const double value :
+       { distribution.minimum, distribution.p01, distribution.median, distribution.p99, distribution.maximum })
+  {
+    std::printf(" %9s", numberText(value, 4).c_str());
+  }
+  std::printf("\n");
 }
 
 void
@@ -149,13 +170,13 @@ printReport(const QualityReport & report)
               quality.certified.positive,
               quality.certified.notPositive,
               quality.certified.undecided);
-  std::printf("mesh: %zu nodes, %zu cells%s, %.3f mL, volume ratio %.4g to %.4g\n",
+  std::printf("mesh: %zu nodes, %zu cells%s, %.3f mL, volume ratio %s to %s\n",
               report.nodes,
               quality.cells,
               quality.isLattice ? " (lattice)" : "",
               quality.volume / 1000.0,
-              quality.ratioMin,
-              quality.ratioMax);
+              numberText(quality.ratioMin, 4).c_str(),
+              numberText(quality.ratioMax, 4).c_str());
   if (report.label)
   {
     std::printf("label %lld: %.3f mL, volume error %.3g, Dice %.4f\n",

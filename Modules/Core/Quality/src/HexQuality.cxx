@@ -252,15 +252,37 @@ collect(const std::vector<HexCellQuality> & cells, TNumber number)
   return values;
 }
 
+/** NaN where the volumes are rounding, or cancel to it, against the cubes of the cells' longest diagonals: a ratio to
+ * that says nothing. */
+template <typename TMesh>
+double
+meanVolume(const TMesh & mesh, const std::vector<HexCellQuality> & cells)
+{
+  constexpr double rounding = 1e-13;
+  double           volume = 0.0;
+  double           size = 0.0;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const HexCorners corners = cellCorners(mesh, cell);
+    const double     diagonal = std::max({ (corners[6] - corners[0]).norm(),
+                                           (corners[7] - corners[1]).norm(),
+                                           (corners[4] - corners[2]).norm(),
+                                           (corners[5] - corners[3]).norm() });
+    volume += cells[cell].volume;
+    size += diagonal * diagonal * diagonal;
+  }
+  return std::abs(volume) > rounding * size ? volume / static_cast<double>(cells.size())
+                                            : std::numeric_limits<double>::quiet_NaN();
+}
+
 /** All that does not depend on how the cells are connected; the certificate is left out. */
 HexQualitySummary
-summaryOf(const std::vector<HexCellQuality> & cells)
+summaryOf(const std::vector<HexCellQuality> & cells, double mean)
 {
   const std::vector<double> volumes = collect(cells, [](const HexCellQuality & cell) { return cell.volume; });
   HexQualitySummary         summary;
   summary.cells = cells.size();
   summary.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  const double mean = summary.volume / static_cast<double>(summary.cells);
   summary.volumeVariance = varianceAboutMean(volumes, mean);
   const auto extremes = std::minmax_element(volumes.begin(), volumes.end());
   summary.ratioMin = std::min(*extremes.first / mean, *extremes.second / mean);
@@ -320,10 +342,10 @@ summarizeQuality(const HexMesh & mesh, unsigned int threads)
 {
   requireValid(mesh);
   const std::vector<HexCellQuality> cells = cellQualities(mesh, threads);
-  HexQualitySummary                 summary = summaryOf(cells);
+  const double                      mean = meanVolume(mesh, cells);
+  HexQualitySummary                 summary = summaryOf(cells, mean);
   summary.certified = certifyCells(mesh, {}, threads);
   summary.isLattice = true;
-  const double                  mean = summary.volume / static_cast<double>(summary.cells);
   std::array<ClassCollector, 3> classes; // by the number of faces touched: up to one, two, three
   for (std::size_t cell = 0; cell < summary.cells; ++cell)
   {
@@ -344,7 +366,8 @@ summarizeQuality(const UnstructuredHexMesh & mesh, unsigned int threads)
   {
     return summarizeQuality(*lattice, threads);
   }
-  HexQualitySummary summary = summaryOf(cellQualities(mesh, threads));
+  const std::vector<HexCellQuality> cells = cellQualities(mesh, threads);
+  HexQualitySummary                 summary = summaryOf(cells, meanVolume(mesh, cells));
   summary.certified = certifyCells(mesh, {}, threads);
   return summary;
 }

@@ -234,6 +234,48 @@ TEST(HexQuality, CoordinateThatIsNotFiniteIsRefused)
   EXPECT_THROW(static_cast<void>(summarizeQuality(mesh)), InvalidInput);
 }
 
+TEST(HexQuality, RatiosToTheMeanOfAMeshWithoutVolumeAreUndefined)
+{
+  HexMesh flat = regularMesh(4);
+  HexMesh cancelling = regularMesh(3); // four cells are the mirror images of the other four
+  for (Vector3 & node : flat.nodes)
+  {
+    node.z() = 0.0;
+  }
+  for (std::size_t node = 18; node < 27; ++node)
+  {
+    cancelling.nodes[node].z() = cancelling.nodes[node - 18].z();
+  }
+  HexMesh turned = flat; // flat up to rounding
+  for (Vector3 & node : turned.nodes)
+  {
+    node = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()) * node;
+  }
+  for (const HexMesh & mesh : { flat, cancelling, turned })
+  {
+    const HexQualitySummary summary = summarizeQuality(mesh);
+    EXPECT_NEAR(summary.volume, 0.0, 1e-12);
+    EXPECT_TRUE(std::isnan(summary.volumeVariance));
+    EXPECT_TRUE(std::isnan(summary.ratioMin));
+    EXPECT_TRUE(std::isnan(summary.ratioMax));
+    EXPECT_TRUE(std::isnan(summary.minimumJacobian.minimum));
+    EXPECT_TRUE(std::isnan(summary.minimumJacobian.maximum));
+    EXPECT_TRUE(std::isnan(summary.corners.volumeVariance));
+  }
+}
+
+TEST(HexQuality, RatiosOfVeryThinCellsAreDefined)
+{
+  HexMesh mesh = regularMesh(4);
+  for (Vector3 & node : mesh.nodes)
+  {
+    node = node.cwiseProduct(Vector3(1e5, 1.0, 1.0));
+  }
+  const HexQualitySummary summary = summarizeQuality(mesh);
+  EXPECT_NEAR(summary.volumeVariance, 0.0, 1e-12);
+  EXPECT_NEAR(summary.ratioMax, 1.0, 1e-9);
+}
+
 TEST(HexQuality, CertificateCountsEveryCellOnce)
 {
   HexMesh mesh = analytic::cubeLattice(6);

@@ -58,6 +58,7 @@ struct HexClassQuality
   double      scaledJacobianMedian{ 0.0 };
 };
 
+/** Ratios to the mean volume are NaN where the cells have no volume, up to rounding, in sum. */
 struct HexQualitySummary
 {
   std::size_t       cells{ 0 };
