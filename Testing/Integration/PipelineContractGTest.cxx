@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <tuple>
+
 using namespace moserhex;
 using namespace moserhex::integration;
 
@@ -26,6 +29,53 @@ ShortImage::Pointer
 ballImage()
 {
   return labelImage(analytic::labelVolume(analytic::ball(12.0)));
+}
+
+/** A density on the grid of an image, of 1 everywhere. */
+Pipeline::DensityImageType::Pointer
+unitDensity(const ShortImage & grid)
+{
+  auto density = Pipeline::DensityImageType::New();
+  density->CopyInformation(&grid);
+  density->SetRegions(grid.GetLargestPossibleRegion());
+  density->Allocate();
+  density->FillBuffer(1.0);
+  return density;
+}
+
+/** What is run without repair and turned frames, so that a tolerance changes nothing but what is called exact. */
+SolidMeshingOptions
+unrepaired(double surfaceTolerance, bool allowPartial)
+{
+  SolidMeshingOptions options;
+  options.shells = 4;
+  options.turnedFrames = 0;
+  options.equalisation.repairRounds = 0;
+  options.equalisation.surfaceTolerance = surfaceTolerance;
+  options.allowPartial = allowPartial;
+  return options;
+}
+
+Pipeline::Pointer
+runWith(const ShortImage * image, const SolidMeshingOptions & options, std::optional<Pipeline::ShellMethod> method = {})
+{
+  auto pipeline = Pipeline::New();
+  pipeline->SetInput(image);
+  pipeline->SetMeshingOptions(options);
+  if (method)
+  {
+    pipeline->SetShellMethod(*method);
+  }
+  pipeline->Update();
+  return pipeline;
+}
+
+/** The order in which meshes that are not exact are kept. */
+auto
+badness(const Pipeline & pipeline)
+{
+  const EqualisationResult & result = *pipeline.GetResult().equalisation;
+  return std::make_tuple(result.concaveCells, result.uncertifiedCells, result.largestDistance);
 }
 
 /** A ball with a tunnel along z. */
@@ -57,15 +107,21 @@ torusImage()
 
 TEST(PipelineContract, TheResultIsTheSameForAnyNumberOfThreads)
 {
-  const auto    image = labelImage(analytic::labelVolume(analytic::bumpyBall(14.0)));
-  const HexMesh one = runPipeline(image, small(1))->GetHexMesh();
-  for (const unsigned int threads : { 2u, 3u })
+  const auto image = labelImage(analytic::labelVolume(analytic::bumpyBall(14.0)));
+  for (const MeshingStage stage : { MeshingStage::Moser, MeshingStage::Exact })
   {
-    const HexMesh other = runPipeline(image, small(threads))->GetHexMesh();
-    ASSERT_EQ(one.nodes.size(), other.nodes.size());
-    for (std::size_t node = 0; node < one.nodes.size(); ++node)
+    PipelineOptions options = small(1);
+    options.lastStage = stage;
+    const HexMesh one = runPipeline(image, options)->GetHexMesh();
+    for (const unsigned int threads : { 2u, 3u })
     {
-      ASSERT_EQ(one.nodes[node], other.nodes[node]) << "node " << node << ", " << threads << " threads";
+      options.threads = threads;
+      const HexMesh other = runPipeline(image, options)->GetHexMesh();
+      ASSERT_EQ(one.nodes.size(), other.nodes.size());
+      for (std::size_t node = 0; node < one.nodes.size(); ++node)
+      {
+        ASSERT_EQ(one.nodes[node], other.nodes[node]) << "node " << node << ", " << threads << " threads";
+      }
     }
   }
 }
@@ -182,4 +238,66 @@ TEST(PipelineContract, ProgressGrowsToOne)
   pipeline->Update();
   EXPECT_EQ(last, 1.0F);
   EXPECT_GE(events, 10u);
+}
+
+TEST(PipelineContract, ADensityThatWasModifiedIsUsedAnew)
+{
+  const auto image = ballImage();
+  const auto density = unitDensity(*image);
+  auto       pipeline = Pipeline::New();
+  pipeline->SetInput(image);
+  pipeline->SetNumberOfShells(2);
+  pipeline->SetShellMethod(Pipeline::ShellMethod::Eikonal);
+  pipeline->SetAllowPartial(true);
+  pipeline->SetDensityImage(density);
+  pipeline->Update();
+  ASSERT_TRUE(pipeline->GetLabelDensity());
+  EXPECT_NEAR(pipeline->GetLabelDensity()->meanDensity, 1.0, 1e-12);
+  density->FillBuffer(3.0);
+  density->Modified();
+  pipeline->Update();
+  EXPECT_NEAR(pipeline->GetLabelDensity()->meanDensity, 3.0, 1e-12);
+  pipeline->SetDensityImage(nullptr);
+  pipeline->Update();
+  EXPECT_FALSE(pipeline->GetLabelDensity());
+}
+
+TEST(PipelineContract, AllowPartialNeverTakesAnExactMeshAway)
+{
+  // Tolerances below what eikonal shells lead to: they do not do, and Chan-Vese shells may or may not.
+  std::size_t exact = 0;
+  std::size_t partial = 0;
+  for (const analytic::Solid & solid : { analytic::bumpyBall(14.0),
+                                         analytic::ball(12.0),
+                                         analytic::ellipsoid(Vector3(15.0, 10.0, 8.0)),
+                                         analytic::cube(20.0) })
+  {
+    SCOPED_TRACE(solid.name);
+    const auto   image = labelImage(analytic::labelVolume(solid));
+    const double distance =
+      runWith(image, unrepaired(1e-9, true), Pipeline::ShellMethod::Eikonal)->GetResult().equalisation->largestDistance;
+    const double tolerance = 0.999 * distance;
+    const auto   eikonal = runWith(image, unrepaired(tolerance, true), Pipeline::ShellMethod::Eikonal);
+    if (eikonal->GetResult().equalisation->exact)
+    {
+      continue;
+    }
+    const auto allowed = runWith(image, unrepaired(tolerance, true));
+    try
+    {
+      const auto strict = runWith(image, unrepaired(tolerance, false));
+      EXPECT_TRUE(allowed->GetResult().equalisation->exact);
+      EXPECT_EQ(allowed->GetHexMesh().nodes, strict->GetHexMesh().nodes);
+      ++exact;
+    }
+    catch (const itk::NotConvergedError &)
+    {
+      EXPECT_FALSE(allowed->GetResult().equalisation->exact);
+      EXPECT_LE(badness(*allowed), badness(*eikonal));
+      EXPECT_NE(allowed->GetResult().warnings.back().find("Chan-Vese"), std::string::npos);
+      ++partial;
+    }
+  }
+  EXPECT_GE(exact, 1u);
+  EXPECT_GE(partial, 1u);
 }

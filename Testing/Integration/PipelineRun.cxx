@@ -43,7 +43,10 @@ runPipeline(const ShortImage * image, const PipelineOptions & options)
   pipeline->SetInput(image);
   pipeline->SetLabel(options.label);
   pipeline->SetNumberOfShells(options.shells);
-  pipeline->SetShellMethod(options.method);
+  if (options.method)
+  {
+    pipeline->SetShellMethod(*options.method);
+  }
   pipeline->SetLastStage(options.lastStage);
   pipeline->SetNumberOfWorkUnits(options.threads);
   pipeline->Update();

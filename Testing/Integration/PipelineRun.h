@@ -6,6 +6,8 @@
 
 #include <itkImage.h>
 
+#include <optional>
+
 namespace moserhex::integration
 {
 
@@ -18,11 +20,11 @@ labelImage(const LabelVolume & label, short value = 1);
 
 struct PipelineOptions
 {
-  int                   shells{ 10 };
-  short                 label{ 1 };
-  unsigned int          threads{ 2 };
-  Pipeline::ShellMethod method{ Pipeline::ShellMethod::ChanVese };
-  MeshingStage          lastStage{ MeshingStage::Moser };
+  int                                  shells{ 10 };
+  short                                label{ 1 };
+  unsigned int                         threads{ 2 };
+  std::optional<Pipeline::ShellMethod> method; ///< empty: the filter's own choice
+  MeshingStage                         lastStage{ MeshingStage::Moser };
 };
 
 /** Runs the whole chain and returns the updated filter. Throws what the filter throws. */

@@ -15,6 +15,8 @@
 #include <itkImageToMeshFilter.h>
 
 #include <optional>
+#include <string>
+#include <tuple>
 
 namespace itk
 {
@@ -80,10 +82,11 @@ public:
   /** A positive density on the label's space: cells get equal masses instead of equal volumes. The grid may differ from
    * the label's. Optional; only with the last stage Exact. */
   using DensityImageType = Image<double, 3>;
-  itkSetConstObjectMacro(DensityImage, DensityImageType);
-  itkGetConstObjectMacro(DensityImage, DensityImageType);
+  itkSetInputMacro(DensityImage, DensityImageType);
+  itkGetInputMacro(DensityImage, DensityImageType);
 
-  /** Give out a mesh that is not exact, with a warning, where NotConvergedError would be thrown. Default false. */
+  /** Give out a mesh that is not exact, with a warning, where NotConvergedError would be thrown: the best of the same
+   * attempts. Default false. */
   itkOptionMacro(AllowPartial, bool, allowPartial);
 
   /** How the shells are found: coupled Chan-Vese fronts, uncoupled snapshots, or the eikonal limit. Until it is set,
@@ -142,6 +145,13 @@ public:
     return m_ConditioningReport;
   }
 
+  /** The density of the last run on the label, with its mean and mass there; empty when none was set. */
+  const std::optional<moserhex::LabelDensity> &
+  GetLabelDensity() const
+  {
+    return m_LabelDensity;
+  }
+
   /** Volume of the label, voxels times voxel volume [mm^3]. */
   itkGetConstMacro(LabelVolume, double);
 
@@ -164,7 +174,37 @@ private:
   double
   RunStage(TFilter * filter, double from, double to);
 
-  typename DensityImageType::ConstPointer m_DensityImage;
+  /** Shells of `orderedPhi` in one way, then stages C to K; `orderingStage` says what was done before. */
+  moserhex::SolidMeshingResult
+  MeshFrom(ShellMethod                  method,
+           const moserhex::LevelSet &   orderedPhi,
+           const moserhex::LevelSet &   phi,
+           moserhex::MeshingStageReport orderingStage);
+
+  /** With the shells of GetShellMethod(), those of the fast way from a coarse grid. */
+  moserhex::SolidMeshingResult
+  MeshFromUsualShells(const moserhex::LevelSet & phi);
+
+  /** The same, and with Chan-Vese shells when that does not lead to an exact mesh. AllowPartial changes no attempt, so
+   * it never takes an exact mesh away; of meshes that are not exact the better one is kept. */
+  moserhex::SolidMeshingResult
+  MeshFromBestShells(const moserhex::LevelSet & phi);
+
+  void
+  PutDensityOnLabel();
+
+  /** Smaller is better; after stage J only. */
+  static auto
+  Badness(const moserhex::SolidMeshingResult & result)
+  {
+    const moserhex::EqualisationResult & equalised = *result.equalisation;
+    return std::make_tuple(
+      !equalised.exact, equalised.concaveCells, equalised.uncertifiedCells, equalised.largestDistance);
+  }
+
+  /** Parts of the whole run, for progress only. */
+  static constexpr double afterConditioning = 0.15;
+  static constexpr double afterOrdering = 0.3;
 
   LabelType                     m_Label{ 1 };
   std::optional<ShellMethod>    m_ShellMethod;
@@ -172,6 +212,8 @@ private:
   moserhex::SolidMeshingResult  m_Result;
   moserhex::ConditioningReport  m_ConditioningReport;
   double                        m_LabelVolume{ 0.0 };
+
+  std::optional<moserhex::LabelDensity> m_LabelDensity;
 };
 
 } // namespace itk

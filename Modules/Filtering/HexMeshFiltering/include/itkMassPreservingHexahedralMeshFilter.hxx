@@ -22,7 +22,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::VerifyPreconditions() IT
   {
     itkExceptionMacro("NumberOfShells is " << m_Options.shells << ", need 2 to 64");
   }
-  if (m_DensityImage && m_Options.lastStage != moserhex::MeshingStage::Exact)
+  if (this->GetDensityImage() && m_Options.lastStage != moserhex::MeshingStage::Exact)
   {
     itkExceptionMacro("DensityImage is set, but the last stage is not Exact");
   }
@@ -56,12 +56,122 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::RunStage(TFilter * filte
 }
 
 template <typename TLabelImage, typename TMesh>
+moserhex::SolidMeshingResult
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(ShellMethod                  method,
+                                                                 const moserhex::LevelSet &   orderedPhi,
+                                                                 const moserhex::LevelSet &   phi,
+                                                                 moserhex::MeshingStageReport orderingStage)
+{
+  typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
+  ordering->SetInput(ImageFromLevelSet<LevelSetImageType>(orderedPhi));
+  ordering->SetMethod(method);
+  ordering->SetNumberOfShells(moserhex::shellsToExtract(m_Options));
+  orderingStage.seconds += this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
+  orderingStage.note = orderingStage.note.empty() ? NameOf(method) : NameOf(method) + (", " + orderingStage.note);
+
+  moserhex::SolidMeshingOptions options = m_Options;
+  options.threads = this->GetNumberOfWorkUnits();
+  options.volumeFractions = ordering->GetVolumeFractions();
+  options.density = m_LabelDensity ? &m_LabelDensity->density : options.density;
+  const moserhex::LevelSet     order = LevelSetFromImage(ordering->GetOutput());
+  moserhex::SolidMeshingResult meshed = RunCoreAlgorithm(
+    this,
+    [&](const moserhex::ProgressCallback & progress) {
+      return moserhex::meshSolid(order, orderedPhi, phi, m_LabelVolume, options, progress);
+    },
+    afterOrdering,
+    1.0);
+  const std::vector<std::string> & warnings = ordering->GetReport().warnings;
+  meshed.warnings.insert(meshed.warnings.begin(), warnings.begin(), warnings.end());
+  meshed.stages.insert(meshed.stages.begin(), orderingStage);
+  return meshed;
+}
+
+template <typename TLabelImage, typename TMesh>
+moserhex::SolidMeshingResult
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromUsualShells(const moserhex::LevelSet & phi)
+{
+  moserhex::MeshingStageReport orderingStage{ "shell ordering", 0.0, {}, {} };
+  if (moserhex::shellsToExtract(m_Options) == m_Options.shells)
+  {
+    return this->MeshFrom(this->GetShellMethod(), phi, phi, orderingStage);
+  }
+  const moserhex::Stopwatch   stopwatch;
+  const moserhex::CoarseSolid coarse = RunCoreAlgorithm(
+    this,
+    [&](const moserhex::ProgressCallback &) { return moserhex::coarseSolid(phi, m_LabelVolume); },
+    afterConditioning,
+    afterConditioning);
+  orderingStage.seconds = stopwatch.seconds();
+  orderingStage.note = moserhex::describe(coarse);
+  return this->MeshFrom(this->GetShellMethod(), coarse.levelSet, phi, orderingStage);
+}
+
+template <typename TLabelImage, typename TMesh>
+moserhex::SolidMeshingResult
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(const moserhex::LevelSet & phi)
+{
+  std::optional<moserhex::SolidMeshingResult> usual;
+  std::string                                 reason;
+  try
+  {
+    usual = this->MeshFromUsualShells(phi);
+    if (!usual->equalisation || usual->equalisation->exact)
+    {
+      return std::move(*usual);
+    }
+    reason = usual->equalisation->shortcomings.front();
+  }
+  catch (const NotConvergedError & error)
+  {
+    reason = error.GetDescription();
+  }
+  try
+  {
+    moserhex::SolidMeshingResult other =
+      this->MeshFrom(ShellMethod::ChanVese, phi, phi, { "shell ordering", 0.0, {}, {} });
+    if (!usual || Badness(other) < Badness(*usual))
+    {
+      other.warnings.push_back("shells from Chan-Vese fronts, as eikonal ones did not do: " + reason);
+      return other;
+    }
+    reason = other.equalisation->shortcomings.front();
+  }
+  catch (const NotConvergedError & error)
+  {
+    if (!usual)
+    {
+      throw;
+    }
+    reason = error.GetDescription();
+  }
+  usual->warnings.push_back("shells from Chan-Vese fronts did not do better: " + reason);
+  return std::move(*usual);
+}
+
+template <typename TLabelImage, typename TMesh>
+void
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::PutDensityOnLabel()
+{
+  m_LabelDensity.reset();
+  if (this->GetDensityImage())
+  {
+    m_LabelDensity = RunCoreAlgorithm(
+      this,
+      [this](const moserhex::ProgressCallback &) {
+        return moserhex::densityOnLabel(ScalarVolumeFromImage(this->GetDensityImage()),
+                                        LabelVolumeFromImage(this->GetInput(), m_Label),
+                                        this->GetNumberOfWorkUnits());
+      },
+      afterConditioning,
+      afterConditioning);
+  }
+}
+
+template <typename TLabelImage, typename TMesh>
 void
 MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
 {
-  constexpr double afterConditioning = 0.15;
-  constexpr double afterOrdering = 0.3;
-
   // The stages work on a graft of the input, so that their requests do not travel up this filter's own pipeline.
   typename TLabelImage::Pointer label = TLabelImage::New();
   label->Graft(this->GetInput());
@@ -74,79 +184,18 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   m_ConditioningReport = conditioning->GetReport();
   m_LabelVolume = conditioning->GetLabelVolume();
 
-  const moserhex::LevelSet     phi = LevelSetFromImage(conditioning->GetOutput());
-  moserhex::MeshingStageReport orderingStage{ "shell ordering", 0.0, {}, {} };
-  const auto                   meshFrom = [&](ShellMethod method, const moserhex::LevelSet & orderedPhi) {
-    typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
-    ordering->SetInput(ImageFromLevelSet<LevelSetImageType>(orderedPhi));
-    ordering->SetMethod(method);
-    ordering->SetNumberOfShells(moserhex::shellsToExtract(m_Options));
-    orderingStage.seconds += this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
-    orderingStage.note = orderingStage.note.empty() ? NameOf(method) : NameOf(method) + (", " + orderingStage.note);
+  const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
+  this->PutDensityOnLabel();
+  const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
+  m_Result = mayChangeShells ? this->MeshFromBestShells(phi) : this->MeshFromUsualShells(phi);
 
-    moserhex::SolidMeshingOptions options = m_Options;
-    options.threads = this->GetNumberOfWorkUnits();
-    options.volumeFractions = ordering->GetVolumeFractions();
-    const moserhex::LevelSet order = LevelSetFromImage(ordering->GetOutput());
-    m_Result = RunCoreAlgorithm(
-      this,
-      [&](const moserhex::ProgressCallback & progress) {
-        std::optional<moserhex::LabelDensity> onLabel;
-        if (m_DensityImage)
-        {
-          onLabel = moserhex::densityOnLabel(ScalarVolumeFromImage(m_DensityImage.GetPointer()),
-                                             LabelVolumeFromImage(label.GetPointer(), m_Label),
-                                             options.threads);
-          options.density = &onLabel->density;
-        }
-        moserhex::SolidMeshingResult result =
-          moserhex::meshSolid(order, orderedPhi, phi, m_LabelVolume, options, progress);
-        if (onLabel)
-        {
-          result.warnings.insert(result.warnings.begin(), onLabel->warnings.begin(), onLabel->warnings.end());
-        }
-        return result;
-      },
-      afterOrdering,
-      1.0);
-    const std::vector<std::string> & warnings = ordering->GetReport().warnings;
-    m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
-  };
-  try
+  std::vector<std::string> warnings = moserhex::warningsOf(m_ConditioningReport);
+  if (m_LabelDensity)
   {
-    if (moserhex::shellsToExtract(m_Options) < m_Options.shells)
-    {
-      const moserhex::Stopwatch   stopwatch;
-      const moserhex::CoarseSolid coarse = RunCoreAlgorithm(
-        this,
-        [&](const moserhex::ProgressCallback &) { return moserhex::coarseSolid(phi, m_LabelVolume); },
-        afterConditioning,
-        afterConditioning);
-      orderingStage.seconds = stopwatch.seconds();
-      orderingStage.note = moserhex::describe(coarse);
-      meshFrom(this->GetShellMethod(), coarse.levelSet);
-    }
-    else
-    {
-      meshFrom(this->GetShellMethod(), phi);
-    }
+    warnings.insert(warnings.end(), m_LabelDensity->warnings.begin(), m_LabelDensity->warnings.end());
   }
-  catch (const NotConvergedError & error)
-  {
-    if (m_ShellMethod || this->GetShellMethod() == ShellMethod::ChanVese)
-    {
-      throw;
-    }
-    const std::string reason = error.GetDescription();
-    orderingStage = { "shell ordering", 0.0, {}, {} };
-    meshFrom(ShellMethod::ChanVese, phi);
-    m_Result.warnings.push_back("shells from Chan-Vese fronts, as eikonal ones did not do: " + reason);
-  }
-
-  const std::vector<std::string> warnings = moserhex::warningsOf(m_ConditioningReport);
   m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
-  const moserhex::MeshingStageReport first[2] = { { "conditioning", conditioningSeconds, {}, {} }, orderingStage };
-  m_Result.stages.insert(m_Result.stages.begin(), first, first + 2);
+  m_Result.stages.insert(m_Result.stages.begin(), { "conditioning", conditioningSeconds, {}, {} });
   CopyHexMeshToItk(m_Result.mesh, this->GetOutput());
 }
 
