@@ -54,13 +54,20 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
     ->check(CLI::IsMember({ "initial", "smoothed", "moser", "exact" }))
     ->capture_default_str();
   command
-    ->add_option("--way", options.way, "Where the exact mesh starts from: three shells, or all stages with all shells")
+    ->add_option("--way",
+                 options.way,
+                 "Where the exact mesh starts from: three shells, or all stages with all shells; needs --stage exact")
     ->check(CLI::IsMember({ "fast", "faithful" }))
-    ->capture_default_str();
-  command->add_option("--frame", options.frame, "How the cube is turned against the body")
+    ->default_str("fast");
+  command
+    ->add_option("--frame",
+                 options.frame,
+                 "How the cube is turned against the body: along the patient's axes, or up to 10 degrees from "
+                 "them so that its edges leave hollows")
     ->check(CLI::IsMember({ "anatomical", "ridge" }))
     ->capture_default_str();
-  command->add_option("--density", options.density, "Positive image: every cell gets the same mass, not volume");
+  command->add_option(
+    "--density", options.density, "Positive image: every cell gets the same mass, not volume; needs --stage exact");
   command->add_flag("--allow-partial", options.allowPartial, "Write a mesh that is not exact, with a warning");
   command
     ->add_option(

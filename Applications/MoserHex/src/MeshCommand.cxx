@@ -50,6 +50,10 @@ requireUsableNames(const MeshCommandOptions & options)
   {
     throw UsageError("--density needs --stage exact");
   }
+  if (options.way && options.stage != "exact")
+  {
+    throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");
+  }
   if (sameFile(options.density, options.output) || sameFile(options.density, options.reportFile))
   {
     throw UsageError(fileMessage(options.density, "would be overwritten", "give another name for the output"));
@@ -117,11 +121,27 @@ stageOf(const std::string & name)
   return stages.at(name);
 }
 
+std::string
+wayOf(const MeshCommandOptions & options)
+{
+  return options.way.value_or("fast");
+}
+
 /** ITK's exceptions carry the filter's name before the message proper. */
 std::string
 descriptionOf(const itk::ExceptionObject & error)
 {
   return error.GetDescription();
+}
+
+/** ITK's NIfTI reader turns values that are not finite into 0: one who looks for that 0 in the file finds none. */
+std::string
+remedyForDensity(const std::string & fileName, const std::string & description)
+{
+  const bool maybeNotFinite =
+    fileName.find(".nii") != std::string::npos && description.find("holds 0 ") != std::string::npos;
+  return maybeNotFinite ? "make it positive (NaN and infinity in NIfTI files are read as 0)"
+                        : "give a positive image that covers the label";
 }
 
 /** The one call of the pipeline: labelmap in, filter with its results out. */
@@ -137,7 +157,7 @@ runPipeline(const LabelImage &         input,
   filter->SetLabel(label);
   filter->SetNumberOfShells(options.shells);
   filter->SetLastStage(stageOf(options.stage));
-  filter->SetWay(options.way == "faithful" ? MeshingWay::Faithful : MeshingWay::Fast);
+  filter->SetWay(wayOf(options) == "faithful" ? MeshingWay::Faithful : MeshingWay::Fast);
   filter->SetAllowPartial(options.allowPartial);
   filter->SetFrame(options.frame == "ridge" ? LatticeFrame::Ridge : LatticeFrame::Anatomical);
   filter->SetDensityImage(density);
@@ -158,7 +178,7 @@ runPipeline(const LabelImage &         input,
     const std::string description = descriptionOf(error);
     if (density != nullptr && description.find("density") != std::string::npos)
     {
-      throw BadInput(options.density, description, "give a positive image that covers the label");
+      throw BadInput(options.density, description, remedyForDensity(options.density, description));
     }
     throw BadInput(options.input, description, "correct the label in an editor");
   }
@@ -214,6 +234,10 @@ describeResult(const SolidMeshingResult & result, const std::vector<MeshingStage
   report.mesh.nodes = result.mesh.nodes.size();
   report.mesh.cells = result.mesh.cellCount();
   report.surface = RunReport::Surface{ result.boundary.rms, result.boundary.maximum };
+  if (result.frame)
+  {
+    report.frame = RunReport::Frame{ result.frame->angle, result.frame->before.score, result.frame->after.score };
+  }
   if (result.equalisation)
   {
     RunReport::Exact exact;
@@ -254,11 +278,25 @@ printSummary(const RunReport & report, const MeshCommandOptions & options)
   {
     std::printf("; surface within %.2f mm (rms %.2f)", report.surface->maximum, report.surface->rms);
   }
+  if (report.density)
+  {
+    std::printf("\ndensity: mean %.6g in the label, mass %.6g, %.6g in every cell (unit of the image x mm3)",
+                report.density->mean,
+                report.density->mass,
+                report.density->massPerCell);
+  }
+  if (report.frame)
+  {
+    std::printf("\nframe: turned by %.1f degrees, edge score %.3g -> %.3g",
+                report.frame->angle,
+                report.frame->scoreBefore,
+                report.frame->scoreAfter);
+  }
   if (report.exact)
   {
     std::printf("\n%s: variance of the %s %.1e, %s",
                 report.exact->reached ? "exact" : "NOT EXACT",
-                report.parameters.density.empty() ? "volumes" : "masses",
+                report.density ? "masses" : "volumes",
                 report.exact->variance,
                 report.exact->certified ? "every cell certified" : "cells not certified");
   }
@@ -292,7 +330,7 @@ runMeshCommand(const MeshCommandOptions & userOptions)
   RunReport report;
   report.input = describeInput(image, entry);
   report.parameters = { options.shells,      options.stage,
-                        options.shellMethod, options.stage == "exact" ? options.way : "",
+                        options.shellMethod, options.stage == "exact" ? wayOf(options) : "",
                         options.frame,       options.density };
   report.threads = options.threads;
   report.versions = libraryVersions();
@@ -309,6 +347,15 @@ runMeshCommand(const MeshCommandOptions & userOptions)
   const auto                 filter = runPipeline(image, entry.value, density.image.GetPointer(), options);
   const SolidMeshingResult & result = filter->GetResult();
   describeResult(result, filter->GetStages(), report);
+  if (filter->GetLabelDensity())
+  {
+    const LabelDensity & onLabel = *filter->GetLabelDensity();
+    report.density = RunReport::Density{ options.density,
+                                         sha256OfFile(options.density),
+                                         onLabel.meanDensity,
+                                         onLabel.mass,
+                                         onLabel.mass / static_cast<double>(report.mesh.cells) };
+  }
   report.mesh.file = options.output;
 
   writeHexMesh(options.output, result.mesh, fieldsOf(result.mesh));

@@ -16,7 +16,7 @@ struct MeshCommandOptions
   int                         shells{ 10 };
   std::optional<std::int32_t> label;
   std::string                 stage{ "exact" };      ///< initial | smoothed | moser | exact
-  std::string                 way{ "fast" };         ///< fast | faithful
+  std::optional<std::string>  way;                   ///< fast (also when not given) | faithful
   std::string                 frame{ "anatomical" }; ///< anatomical | ridge
   std::string                 density;               ///< image of a positive density; empty: volumes
   bool                        allowPartial{ false }; ///< write a mesh that is not exact, with a warning

@@ -9,9 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -184,15 +187,61 @@ writeDensity(const std::string & fileName, const LabelVolume & grid, TValue valu
   }
 }
 
-/** A box of 4^3 voxels of 10 mm as two hexahedra, MSH 2.2, left-handed when asked for. */
+/** The same as NIfTI, with an sform. */
+template <typename TValue>
 void
-writeBoxMesh(const std::string & fileName, bool leftHanded)
+writeNiftiDensity(const std::string & fileName, const LabelVolume & grid, TValue valueOf)
+{
+  std::array<char, 352> header{};
+  const auto            put = [&header](std::size_t offset, auto value) {
+    std::memcpy(header.data() + offset, &value, sizeof value);
+  };
+  put(0, std::int32_t{ 348 });
+  put(40, std::int16_t{ 3 });
+  put(70, std::int16_t{ 64 }); // double
+  put(72, std::int16_t{ 64 });
+  put(76, 1.0F);
+  for (std::size_t axis = 0; axis < 4; ++axis)
+  {
+    put(48 + 2 * axis, std::int16_t{ 1 });
+  }
+  const Matrix3 columns = grid.direction * grid.spacing.asDiagonal();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto   a = static_cast<Eigen::Index>(axis);
+    const double towardsRas = axis < 2 ? -1.0 : 1.0;
+    put(42 + 2 * axis, static_cast<std::int16_t>(grid.size[axis]));
+    put(80 + 4 * axis, static_cast<float>(grid.spacing[a]));
+    for (std::size_t column = 0; column < 3; ++column)
+    {
+      put(280 + 16 * axis + 4 * column, static_cast<float>(towardsRas * columns(a, static_cast<Eigen::Index>(column))));
+    }
+    put(292 + 16 * axis, static_cast<float>(towardsRas * grid.origin[a]));
+  }
+  put(108, 352.0F); // where the voxels begin
+  put(112, 1.0F);   // slope
+  put(123, char{ 2 });
+  put(254, std::int16_t{ 1 });
+  std::memcpy(header.data() + 344, "n+1", 4);
+  std::ofstream file(fileName, std::ios::binary);
+  file.write(header.data(), sizeof header);
+  for (std::size_t voxel = 0; voxel < grid.inside.size(); ++voxel)
+  {
+    const double value = valueOf(voxel);
+    file.write(reinterpret_cast<const char *>(&value), sizeof value);
+  }
+}
+
+/** A box of 4^3 voxels of 10 mm as two hexahedra, MSH 2.2, left-handed when asked for; of other heights when given. */
+void
+writeBoxMesh(const std::string & fileName, bool leftHanded, const std::array<int, 3> & heights = { 0, 20, 40 })
 {
   std::ofstream file(fileName);
   file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n12\n";
   for (int node = 0; node < 12; ++node)
   {
-    file << node + 1 << ' ' << 40 * (node % 2) << ' ' << 40 * (node / 2 % 2) << ' ' << 20 * (node / 4) << '\n';
+    file << node + 1 << ' ' << 40 * (node % 2) << ' ' << 40 * (node / 2 % 2) << ' '
+         << heights[static_cast<std::size_t>(node / 4)] << '\n';
   }
   file << "$EndNodes\n$Elements\n3\n1 15 2 0 0 1\n";
   for (const int first : { 1, 5 })
@@ -274,6 +323,19 @@ TEST_F(CommandLine, WrongUsageEndsWithTwo)
   expectOneLineError(run({ "mesh", "a.nrrd", "b.stl" }), 2);
   expectOneLineError(run({ "mesh", "a.vtk", "a.vtk" }), 2);
   expectOneLineError(run({ "mesh", "a.nrrd", "b.vtu", "--report", "./b.vtu" }), 2);
+}
+
+TEST_F(CommandLine, OptionsOfTheExactStageAreRefusedWithAnother)
+{
+  for (const char * option : { "--way=fast", "--way=faithful", "--density=d.nrrd" })
+  {
+    for (const char * stage : { "initial", "smoothed", "moser" })
+    {
+      const Outcome outcome = run({ "mesh", "a.nrrd", "b.vtu", "--stage", stage, option });
+      expectOneLineError(outcome, 2);
+      EXPECT_NE(outcome.error.find("needs --stage exact"), std::string::npos) << outcome.error;
+    }
+  }
 }
 
 TEST_F(CommandLine, WrongUsageSaysWhereToLook)
@@ -421,6 +483,62 @@ TEST_F(CommandLine, DensityThatIsNotPositiveInTheLabelEndsWithThreeAndNamesTheVo
   EXPECT_EQ(fileCount(), 2u);
 }
 
+TEST_F(CommandLine, NumberThatIsNotFiniteInANiftiDensityIsNotSaidToBeAZeroAlone)
+{
+  const LabelVolume gland = makeSampleProstate().gland;
+  const std::size_t inside = voxelsOf(gland).front();
+  writeSample();
+  writeNiftiDensity(path("density.nii"), gland, [&](std::size_t at) { return at == inside ? std::nan("") : 1.0; });
+  const Outcome outcome =
+    run({ "mesh", path("prostate.nrrd"), path("b.vtu"), "--density", path("density.nii"), "--shells", "2" });
+  expectOneLineError(outcome, 3);
+  EXPECT_NE(outcome.error.find(" holds 0 "), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("NaN and infinity in NIfTI files are read as 0"), std::string::npos) << outcome.error;
+}
+
+TEST_F(CommandLine, DensityIsReportedWithItsMassAndChecksum)
+{
+  const LabelVolume gland = makeSampleProstate().gland;
+  writeSample();
+  writeDensity(path("density.nrrd"), gland, [](std::size_t) { return 2.5; });
+  const Outcome outcome = run({ "mesh",
+                                path("prostate.nrrd"),
+                                path("b.vtu"),
+                                "--shells=4",
+                                "--density",
+                                path("density.nrrd"),
+                                "--report",
+                                path("r.json"),
+                                "--allow-partial" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\ndensity: mean 2.5 in the label, mass "), std::string::npos) << outcome.out;
+  const auto   report = nlohmann::json::parse(contentOf(path("r.json")));
+  const auto & density = report["density"];
+  EXPECT_EQ(density["sha256"], sha256OfFile(path("density.nrrd")));
+  EXPECT_NEAR(density["mean"].get<double>(), 2.5, 1e-12);
+  const double mass = 2.5 * report["input"]["volume_mm3"].get<double>();
+  EXPECT_NEAR(density["mass"].get<double>(), mass, 1e-9 * mass);
+  EXPECT_NEAR(density["mass_per_cell"].get<double>(), mass / 343.0, 1e-9 * mass);
+}
+
+TEST_F(CommandLine, RidgeFrameSaysHowFarItIsTurned)
+{
+  writeSample();
+  const Outcome outcome = run({ "mesh",
+                                path("prostate.nrrd"),
+                                path("b.vtu"),
+                                "--shells=4",
+                                "--stage=initial",
+                                "--frame=ridge",
+                                "--report",
+                                path("r.json") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\nframe: turned by "), std::string::npos) << outcome.out;
+  const auto frame = nlohmann::json::parse(contentOf(path("r.json")))["frame"];
+  EXPECT_LE(frame["turned_degrees"].get<double>(), 10.0);
+  EXPECT_LE(frame["edge_score_after"].get<double>(), frame["edge_score_before"].get<double>());
+}
+
 TEST_F(CommandLine, QuietRunPrintsNothing)
 {
   writeSample();
@@ -530,6 +648,26 @@ TEST_F(CommandLine, QualityOfALeftHandedMeshWarns)
   EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
   EXPECT_TRUE(outcome.out.empty()) << outcome.out;
   EXPECT_NE(outcome.error.find("left-handed"), std::string::npos) << outcome.error;
+}
+
+TEST_F(CommandLine, QualityOfAMeshWithoutVolumeSaysThatRatiosAreUndefined)
+{
+  // Two flat cells; a cell of positive volume on one of negative volume.
+  for (const std::array<int, 3> & heights : { std::array<int, 3>{ 0, 0, 0 }, std::array<int, 3>{ 0, 20, 0 } })
+  {
+    writeBoxMesh(path("box.msh"), false, heights);
+    const Outcome outcome = run({ "quality", path("box.msh"), "--json", path("q.json") });
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+    EXPECT_NE(outcome.error.find("the mesh has no volume: the variance"), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.out.find("volume ratio undefined to undefined"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("inf "), std::string::npos) << outcome.out;
+    const auto quality = nlohmann::json::parse(contentOf(path("q.json")))["quality"];
+    EXPECT_NEAR(quality["volume_mm3"].get<double>(), 0.0, 1e-9);
+    EXPECT_TRUE(quality["volume_variance"].is_null());
+    EXPECT_TRUE(quality["ratio_max"].is_null());
+    EXPECT_TRUE(quality["minimum_jacobian"]["min"].is_null());
+  }
 }
 
 TEST_F(CommandLine, QualityWarnsOfALabelElsewhere)

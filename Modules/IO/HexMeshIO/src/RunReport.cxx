@@ -72,6 +72,14 @@ toJson(const RunReport & report)
                          { "way", report.parameters.way },
                          { "frame", report.parameters.frame },
                          { "density", report.parameters.density } };
+  if (report.density)
+  {
+    json["density"] = { { "file", report.density->file },
+                        { "sha256", report.density->sha256 },
+                        { "mean", report.density->mean },
+                        { "mass", report.density->mass },
+                        { "mass_per_cell", report.density->massPerCell } };
+  }
   json["stages"] = Json::array();
   for (const StageRecord & stage : report.stages)
   {
@@ -84,6 +92,12 @@ toJson(const RunReport & report)
   if (report.surface)
   {
     json["surface"] = { { "rms_mm", report.surface->rms }, { "max_mm", report.surface->maximum } };
+  }
+  if (report.frame)
+  {
+    json["frame"] = { { "turned_degrees", report.frame->angle },
+                      { "edge_score_before", report.frame->scoreBefore },
+                      { "edge_score_after", report.frame->scoreAfter } };
   }
   if (report.exact)
   {

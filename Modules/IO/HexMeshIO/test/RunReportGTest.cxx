@@ -62,6 +62,24 @@ TEST(RunReport, HasTheDocumentedKeys)
   }
 }
 
+TEST(RunReport, DensityAndFrameAreThereOnlyWhenTheyWereUsed)
+{
+  RunReport report = someReport();
+  EXPECT_FALSE(Json::parse(toJson(report)).contains("density"));
+  EXPECT_FALSE(Json::parse(toJson(report)).contains("frame"));
+  report.density = RunReport::Density{ "density.nrrd", std::string(64, 'b'), 0.1, 5100.0, 5100.0 / 6859.0 };
+  report.frame = RunReport::Frame{ 6.5, 3.0, 1.5 };
+  const Json json = Json::parse(toJson(report));
+  EXPECT_EQ(json["density"]["file"], "density.nrrd");
+  EXPECT_EQ(json["density"]["sha256"], std::string(64, 'b'));
+  EXPECT_EQ(json["density"]["mean"], 0.1);
+  EXPECT_EQ(json["density"]["mass"], 5100.0);
+  EXPECT_EQ(json["density"]["mass_per_cell"], 5100.0 / 6859.0);
+  EXPECT_EQ(json["frame"]["turned_degrees"], 6.5);
+  EXPECT_EQ(json["frame"]["edge_score_before"], 3.0);
+  EXPECT_EQ(json["frame"]["edge_score_after"], 1.5);
+}
+
 TEST(RunReport, NumbersRoundTrip)
 {
   const Json json = Json::parse(toJson(someReport()));

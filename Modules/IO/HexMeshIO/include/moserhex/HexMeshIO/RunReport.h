@@ -52,6 +52,22 @@ struct RunReport
     std::string frame;   ///< anatomical | ridge
     std::string density; ///< file; empty: volumes
   };
+  /** The density that was kept, in the image's own unit. */
+  struct Density
+  {
+    std::string file;
+    std::string sha256;
+    double      mean{ 0.0 };        ///< over the label [unit of the image]
+    double      mass{ 0.0 };        ///< mean times the label's volume [unit of the image * mm^3]
+    double      massPerCell{ 0.0 }; ///< what every cell holds [unit of the image * mm^3]
+  };
+  /** How the lattice was turned for its edges' sake. */
+  struct Frame
+  {
+    double angle{ 0.0 }; ///< [degree]
+    double scoreBefore{ 0.0 };
+    double scoreAfter{ 0.0 }; ///< of the cube's edges on the surface, less is better [1]
+  };
   /** What stage J promises, and whether it was reached. */
   struct Exact
   {
@@ -84,10 +100,12 @@ struct RunReport
   };
 
   Input                    input;
+  std::optional<Density>   density; ///< empty: volumes
   Parameters               parameters;
   std::vector<StageRecord> stages;
   Mesh                     mesh;
   std::optional<Surface>   surface;
+  std::optional<Frame>     frame; ///< when it was asked for
   std::optional<Exact>     exact;
   std::vector<std::string> warnings;
   Versions                 versions; ///< itk, vtk and eigen are filled in by libraryVersions()

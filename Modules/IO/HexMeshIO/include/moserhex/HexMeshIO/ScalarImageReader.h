@@ -22,7 +22,8 @@ struct ScalarImage
 
 /** Reads a three-dimensional scalar image, a density: .nrrd .nii .nii.gz .mha .mhd (isLabelImageName), of any integer
  * or real voxel type, with a NIfTI file's slope and intercept applied. As strict about the file as readLabelImage, and
- * by the same code. Values are not judged, NaN and infinity included: what counts is the label (densityOnLabel).
+ * by the same code. Values are not judged, NaN and infinity included (of NIfTI files ITK makes them 0): what counts is
+ * the label (densityOnLabel).
  *
  * \throws BadInput  the file is missing or damaged; not a 3-D scalar image; spacing not in [1e-3, 1e3] mm; direction
  *                   not orthonormal within 1e-3
