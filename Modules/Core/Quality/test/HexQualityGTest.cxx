@@ -236,8 +236,8 @@ TEST(HexQuality, CoordinateThatIsNotFiniteIsRefused)
 
 TEST(HexQuality, RatiosToTheMeanOfAMeshWithoutVolumeAreUndefined)
 {
-  HexMesh flat = regularMesh(4);
-  HexMesh cancelling = regularMesh(3); // four cells are the mirror images of the other four
+  HexMesh flat = analytic::cubeLattice(4);
+  HexMesh cancelling = cubeLattice(3); // four cells are the mirror images of the other four
   for (Vector3 & node : flat.nodes)
   {
     node.z() = 0.0;
@@ -266,7 +266,7 @@ TEST(HexQuality, RatiosToTheMeanOfAMeshWithoutVolumeAreUndefined)
 
 TEST(HexQuality, RatiosOfVeryThinCellsAreDefined)
 {
-  HexMesh mesh = regularMesh(4);
+  HexMesh mesh = analytic::cubeLattice(4);
   for (Vector3 & node : mesh.nodes)
   {
     node = node.cwiseProduct(Vector3(1e5, 1.0, 1.0));
