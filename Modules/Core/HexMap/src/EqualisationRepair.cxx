@@ -19,10 +19,7 @@ constexpr double            marginGrowth = 1.3;
 constexpr double            largestMargin = 0.15;
 constexpr EqualisationStage firstStage{ 0.02, 1000.0, 80.0, 60, 1 };
 /** After so many useless rounds in a row the repair is over. */
-constexpr int patience = 3;
-/** Springs longer than this part of the tolerance are made stiffer by this factor a round. */
-constexpr double safePartOfTolerance = 0.8;
-constexpr double springGrowth = 4.0;
+constexpr int    patience = 3;
 constexpr double springGrowthOfTangled = 2.0; // lest springs outgrow the barrier of cells that are not yet positive
 
 /** The cells that have been doubtful once. */
@@ -84,11 +81,7 @@ Equaliser::repair(LatticeOptimiser & optimiser, EqualisationFlaws present, const
     Eigen::VectorXd         x = m_Lattice.vector(optimiser.layout());
     optimiser.setBarrier(watched.update(m_Lattice.mesh(), meanVolume, options.threads), margin, weight);
     const double growth = before.uncertified > 0 ? springGrowthOfTangled : springGrowth;
-    optimiser.attraction().strengthen(x, safePartOfTolerance * limits.distance, growth);
-    optimiser.coverage().strengthen(safePartOfTolerance * limits.uncovered, growth);
-    optimiser.attraction().freeze(x);
-    optimiser.updateLevel(x);
-    optimiser.setTargetVolumes(m_Lattice.targetVolumes());
+    prepareRound(optimiser, x, growth);
     const LimitedMemoryBfgsResult result =
       optimiser.minimise(x, stage, smallestDecrease, progressBetween(ofRound, 0.0, 0.5));
     m_Lattice.take(optimiser, x);

@@ -15,6 +15,8 @@ namespace
 constexpr double smallestDecrease = 1e-5;
 /** Above this mean square deviation the projection is not tried. */
 constexpr double roughDeviation = 1e-3;
+/** Springs longer than this part of the tolerance are made stiffer. */
+constexpr double safePartOfTolerance = 0.8;
 constexpr int    settlingRounds = 5;
 constexpr int    settlingSteps = 60;
 /** Of coarse lattices that the ordinary stages leave tangled. */
@@ -162,6 +164,17 @@ Equaliser::finish(const EqualisationStage & lastStage, const ProgressCallback & 
   {
     m_Lattice.setState(std::move(projected));
   }
+}
+
+void
+Equaliser::prepareRound(LatticeOptimiser & optimiser, const Eigen::VectorXd & x, double growth) const
+{
+  const FlawLimits limits = m_Lattice.flawLimits();
+  optimiser.attraction().strengthen(x, safePartOfTolerance * limits.distance, growth);
+  optimiser.coverage().strengthen(safePartOfTolerance * limits.uncovered, growth);
+  optimiser.attraction().freeze(x);
+  optimiser.updateLevel(x);
+  optimiser.setTargetVolumes(m_Lattice.targetVolumes());
 }
 
 EqualisationResult

@@ -45,6 +45,12 @@ public:
   void
   finish(const EqualisationStage & lastStage, const ProgressCallback & progress);
 
+  /** Lifts the narrowest corners of an exact mesh, in rounds of a few steps and a projection each. Keeps the mesh with
+   * the largest smallest scaled Jacobian of those that are exact and have the boundary as near. A mesh that is not
+   * exact, or has no narrow corner, is left as it is. */
+  void
+  polish(const ProgressCallback & progress);
+
   [[nodiscard]] EqualisationResult
   result() const;
 
@@ -63,6 +69,11 @@ private:
   EqualisationFlaws
   repair(LatticeOptimiser & optimiser, EqualisationFlaws present, const ProgressCallback & progress);
 
+  /** Before a round of repair or polish from x: makes springs near their tolerance or beyond stiffer, and has the
+   * optimiser take up the present level, slopes and volumes. */
+  void
+  prepareRound(LatticeOptimiser & optimiser, const Eigen::VectorXd & x, double growth) const;
+
   /** Adds a step to the report; returns the flaws of the mesh. */
   EqualisationFlaws
   log(const std::string & name, int iterations, int evaluations, const Stopwatch & time, LatticeOptimiser & optimiser);
@@ -75,5 +86,7 @@ private:
 constexpr double readyDeviation = 3e-5;
 /** Factor on the weight of the volumes while they are not yet as equal. */
 constexpr double settlingGrowth = 4.0;
+/** On the stiffness of springs near their tolerance, a round. */
+constexpr double springGrowth = 4.0;
 
 } // namespace moserhex

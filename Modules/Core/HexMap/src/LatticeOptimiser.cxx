@@ -1,6 +1,7 @@
 #include "LatticeOptimiser.h"
 
 #include "BezierBarrier.h"
+#include "ScaledJacobianBarrier.h"
 #include "ShapeEnergy.h"
 
 #include <algorithm>
@@ -65,6 +66,14 @@ LatticeOptimiser::setBarrier(std::vector<std::size_t> firstNodes, double margin,
   m_BarrierWeight = weight;
 }
 
+void
+LatticeOptimiser::setCornerBarrier(std::vector<std::size_t> firstNodes, double goal, double weight)
+{
+  m_CornerCells = std::move(firstNodes);
+  m_CornerGoal = goal;
+  m_CornerWeight = weight;
+}
+
 double
 LatticeOptimiser::energy(const Eigen::VectorXd & x, const EqualisationStage & stage, Eigen::VectorXd & gradient) const
 {
@@ -76,6 +85,10 @@ LatticeOptimiser::energy(const Eigen::VectorXd & x, const EqualisationStage & st
   if (m_BarrierWeight > 0.0)
   {
     value += addBezierBarrier(m_Layout, x, m_BarrierCells, m_BarrierMargin, m_BarrierWeight, gradient);
+  }
+  if (m_CornerWeight > 0.0)
+  {
+    value += addScaledJacobianBarrier(m_Layout, x, m_CornerCells, m_CornerGoal, m_CornerWeight, gradient);
   }
   return value;
 }

@@ -57,6 +57,10 @@ public:
   void
   setBarrier(std::vector<std::size_t> firstNodes, double margin, double weight);
 
+  /** Cells whose corners are lifted towards the scaled Jacobian `goal`; weight 0: none. */
+  void
+  setCornerBarrier(std::vector<std::size_t> firstNodes, double goal, double weight);
+
   /** E and its gradient at x. */
   [[nodiscard]] double
   energy(const Eigen::VectorXd & x, const EqualisationStage & stage, Eigen::VectorXd & gradient) const;
@@ -78,6 +82,9 @@ private:
   std::vector<std::size_t> m_BarrierCells;
   double                   m_BarrierMargin{ 0.0 };
   double                   m_BarrierWeight{ 0.0 };
+  std::vector<std::size_t> m_CornerCells;
+  double                   m_CornerGoal{ 1.0 };
+  double                   m_CornerWeight{ 0.0 };
 };
 
 } // namespace moserhex

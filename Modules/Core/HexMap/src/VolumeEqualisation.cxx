@@ -71,7 +71,8 @@ equalisedDirectly(const HexMesh & start, const EqualisationProblem & problem, co
   const std::vector<EqualisationStage> & stages = problem.options.directStages;
   Equaliser                              equaliser(start, problem);
   equaliser.minimise(stages, Equaliser::Boundary::AsItIs, progressBetween(progress, 0.0, 0.4));
-  equaliser.finish(stages.back(), progressBetween(progress, 0.4, 1.0));
+  equaliser.finish(stages.back(), progressBetween(progress, 0.4, 0.9));
+  equaliser.polish(progressBetween(progress, 0.9, 1.0));
   return equaliser.result();
 }
 
@@ -98,7 +99,8 @@ equalisedFromCoarse(const HexMesh &             start,
       equaliser.untangle(options.coarseStages.back(), progressBetween(ofLevel, 0.6, 1.0));
     }
   }
-  equaliser.finish(options.finestStages.back(), progressBetween(progress, 0.4, 1.0));
+  equaliser.finish(options.finestStages.back(), progressBetween(progress, 0.4, 0.9));
+  equaliser.polish(progressBetween(progress, 0.9, 1.0));
   return equaliser.result();
 }
 
@@ -127,6 +129,7 @@ equaliseMeasures(const HexMesh &             start,
   requireStages(options.finestStages);
   requireStages(options.directStages);
   require(options.repairRounds >= 0 && options.repairMargin > 0.0, "repair options out of range");
+  require(options.polishRounds >= 0, "number of polish rounds must not be negative");
   require(options.surfaceTolerance > 0.0 && options.coverageTolerance >= 0.0, "the tolerances must be positive");
   const int n = options.nodesPerSide == 0 ? start.nodesPerSide : options.nodesPerSide;
   require(n >= start.nodesPerSide, "the lattice wanted is coarser than the one given");

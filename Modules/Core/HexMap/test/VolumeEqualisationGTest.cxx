@@ -294,6 +294,7 @@ TEST(VolumeEqualisation, MeshThatTheProjectionSpoilsIsMadeMoreEqualBeforeItIsPro
   EqualisationOptions options;
   options.surfaceTolerance = 3.0; // cells are 6 mm wide, and there are five along the whole length
   options.repairRounds = 0;
+  options.polishRounds = 0; // it projects, too
   const EqualisationResult              result = equaliseVolumes(start, organ.distance(), organ.volume(), options);
   std::vector<const EqualisationStep *> projections;
   for (const EqualisationStep & step : result.steps)
@@ -431,5 +432,6 @@ TEST(VolumeEqualisation, EveryStepIsLogged)
   names.erase("minimise");
   names.erase("project");
   names.erase("repair");
+  names.erase("polish");
   EXPECT_TRUE(names.empty()) << *names.begin();
 }

@@ -125,6 +125,13 @@ TEST(VolumeEqualisation, RepairOptionsOutOfRangeAreRefused)
   }
 }
 
+TEST(VolumeEqualisation, NegativeNumberOfPolishRoundsIsRefused)
+{
+  EqualisationOptions options;
+  options.polishRounds = -1;
+  expectRefused(options);
+}
+
 TEST(VolumeEqualisation, SurfaceToleranceThatIsNotPositiveIsRefused)
 {
   EqualisationOptions options;

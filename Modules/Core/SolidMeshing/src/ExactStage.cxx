@@ -126,6 +126,7 @@ keepBestOnLattice(const ExactStage & stage, int nodesPerSide, std::size_t count,
   EqualisationOptions coarse = equalisationOptions(stage.options);
   coarse.nodesPerSide = std::min(nodesPerSide, coarse.nodesPerSide);
   coarse.repairRounds = 0;
+  coarse.polishRounds = 0; // polished meshes are all alike
   coarse.hopelessCells = 0;
   coarse.threads = 1;
   std::vector<Prospect> prospects(turns.size());

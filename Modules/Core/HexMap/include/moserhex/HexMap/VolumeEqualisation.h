@@ -36,7 +36,8 @@ struct EqualisationOptions
   int    repairRounds{ 16 }; ///< of pushing uncertified cells open and projecting again
   double repairMargin{
     0.03
-  }; ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1
+  };                     ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1
+  int polishRounds{ 4 }; ///< of lifting the narrowest corners of an exact mesh and projecting again
   /** A minimised mesh with more uncertified cells is returned as it is, not equal, for want of prospects. */
   std::size_t hopelessCells{ std::numeric_limits<std::size_t>::max() };
   double      surfaceTolerance{ 0.5 }; ///< a boundary farther than this from the surface is reported as failed [mm]
@@ -51,7 +52,7 @@ struct EqualisationOptions
 /** What one piece of the work did. */
 struct EqualisationStep
 {
-  std::string name;              ///< "minimise", "project", "repair"
+  std::string name;              ///< "minimise", "project", "repair", "polish"
   int         nodesPerSide{ 0 }; ///< n of the lattice
   int         iterations{ 0 };   ///< L-BFGS steps or Newton steps
   int         evaluations{ 0 };  ///< of the energy, or conjugate-gradient steps
@@ -92,6 +93,7 @@ tangledCells(int nodesPerSide);
  *    from, or that the start does not reach, pull it to them.
  * 2. Newton projection onto equal measures by the smoothest displacement (EqualMeasureProjection.h).
  * 3. Certifies det J > 0 in every cell by its Bezier coefficients, pushes the doubtful ones open, and projects again.
+ * 4. Lifts the corners of the smallest scaled Jacobian where it is below 0.18, and projects again.
  *
  * \param start    any lattice of the same solid, tangled or not; n >= 2, at most the n wanted
  * \param phi      the organ's surface is {phi = 0}, closed; negative somewhere in the box around the start [mm]
