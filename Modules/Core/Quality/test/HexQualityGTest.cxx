@@ -237,7 +237,7 @@ TEST(HexQuality, CoordinateThatIsNotFiniteIsRefused)
 TEST(HexQuality, RatiosToTheMeanOfAMeshWithoutVolumeAreUndefined)
 {
   HexMesh flat = analytic::cubeLattice(4);
-  HexMesh cancelling = cubeLattice(3); // four cells are the mirror images of the other four
+  HexMesh cancelling = analytic::cubeLattice(3); // four cells are the mirror images of the other four
   for (Vector3 & node : flat.nodes)
   {
     node.z() = 0.0;
