@@ -1,9 +1,13 @@
 #include "moserhex/Common/Parallel.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <condition_variable>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -25,17 +29,26 @@ public:
   static Crew &
   instance()
   {
-    static Crew * const crew = new Crew; // never destroyed: its threads are never joined
+    Crew * crew = s_Current;
+    if (crew == nullptr)
+    {
+      auto made = std::make_unique<Crew>();
+      if (s_Current.compare_exchange_strong(crew, made.get())) // else another thread was first: crew is its crew
+      {
+        crew = made.release(); // never destroyed: its threads are never joined
+      }
+    }
     return *crew;
   }
 
-  /** Runs work() here and, as far as there are free ones, on up to `helpers` other threads at the same time; returns
-   * when all calls have returned. work() must not throw. May be called from within work(). */
+  /** Runs work() here and, as far as there are free ones, on up to `helpers` other threads at the same time, with this
+   * thread's floating-point environment; returns when all calls have returned. work() must not throw. May be called
+   * from within work(). */
   void
   run(const std::function<void()> & work, std::size_t helpers)
   {
     Task task{ work, helpers };
-    offer(task);
+    offer(task, helpers);
     work();
     withdraw(task);
   }
@@ -44,23 +57,33 @@ private:
   struct Task
   {
     Task(const std::function<void()> & work_, std::size_t places_) : work(work_), places(places_)
-    {}
+    {
+      std::fegetenv(&environment);
+    }
 
     const std::function<void()> & work;
+    std::fenv_t                   environment;  // rounding and the like, of the thread that asks
     std::size_t                   places;       // helpers that may still join; guarded by m_Mutex
     std::atomic<std::size_t>      helpers{ 0 }; // at work
   };
 
+  /** The child of a fork has none of the threads, and the mutex and the conditions as they were: it starts anew. */
+  static void
+  leaveBehind()
+  {
+    s_Current = nullptr;
+  }
+
   void
-  offer(Task & task)
+  offer(Task & task, std::size_t places)
   {
     {
       const std::lock_guard<std::mutex> lock(m_Mutex);
-      enlist(task.places);
+      enlist(places);
       m_Tasks.push_back(&task);
       ++m_Offers;
     }
-    if (task.places == 1)
+    if (places == 1)
     {
       m_Offered.notify_one();
     }
@@ -85,13 +108,14 @@ private:
     m_Left.wait(lock, [&] { return task.helpers == 0; });
   }
 
-  /** Makes the crew at least that large. Where the system gives no more threads those there are have to do. */
+  /** Makes the crew at least that large. Where the system gives no more threads those there are have to do; there are
+   * none before static initialisation and where a fork would go unnoticed. */
   void
   enlist(std::size_t size)
   {
     try
     {
-      for (; m_Size < size; ++m_Size)
+      for (; s_NoticesForks && m_Size < size; ++m_Size)
       {
         std::thread([this] { help(); }).detach();
       }
@@ -120,12 +144,16 @@ private:
       --task->places;
       ++task->helpers;
       lock.unlock();
+      std::fesetenv(&task->environment);
       task->work();
       lock.lock();
       --task->helpers;
       m_Left.notify_all();
     }
   }
+
+  static std::atomic<Crew *> s_Current;
+  static const bool          s_NoticesForks;
 
   std::mutex               m_Mutex;
   std::condition_variable  m_Offered;
@@ -134,6 +162,9 @@ private:
   std::atomic<std::size_t> m_Offers{ 0 };
   std::size_t              m_Size{ 0 };
 };
+
+std::atomic<Crew *> Crew::s_Current{ nullptr };
+const bool          Crew::s_NoticesForks = pthread_atfork(nullptr, nullptr, &Crew::leaveBehind) == 0;
 
 } // namespace
 
@@ -160,13 +191,13 @@ parallelFor(std::size_t count, unsigned int threads, const std::function<void(st
     return;
   }
 
+  // Indices are handed out in order: when one fails all smaller ones have been, and each of them is carried out.
   std::atomic<std::size_t> next{ 0 };
-  std::atomic<bool>        failed{ false };
+  std::atomic<std::size_t> firstFailure{ count };
   std::mutex               mutex;
   std::exception_ptr       firstError;
-  std::size_t              firstFailure = count;
   const auto               work = [&] {
-    for (std::size_t i = next++; i < count && !failed; i = next++)
+    for (std::size_t i = next++; i < firstFailure; i = next++)
     {
       try
       {
@@ -175,7 +206,6 @@ parallelFor(std::size_t count, unsigned int threads, const std::function<void(st
       catch (...)
       {
         const std::lock_guard<std::mutex> lock(mutex);
-        failed = true;
         if (i < firstFailure)
         {
           firstFailure = i;

@@ -1,13 +1,77 @@
 // Exact: integers and order of execution only.
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/InstructionSets.h"
 #include "moserhex/Common/Parallel.h"
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cfenv>
+#include <chrono>
+#include <csignal>
+#include <numeric>
+#include <string>
 #include <thread>
 #include <vector>
 
 using namespace moserhex;
+
+namespace
+{
+
+/** The exit status of a child, or what else became of it; a child that hangs is killed. */
+std::string
+endOf(pid_t child, std::chrono::steady_clock::duration patience)
+{
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  int        status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0)
+  {
+    if (std::chrono::steady_clock::now() > deadline)
+    {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      return "hangs";
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return WIFEXITED(status) ? "exits with " + std::to_string(WEXITSTATUS(status)) : "is killed";
+}
+
+bool
+sumIsRight()
+{
+  std::vector<int> values(100, 0);
+  parallelFor(values.size(), 3, [&](std::size_t i) { values[i] = static_cast<int>(i); });
+  return std::accumulate(values.begin(), values.end(), 0) == 4950;
+}
+
+/** What both of two threads say that work at the same time. */
+template <typename TSay>
+std::vector<double>
+sayOfTwoThreads(TSay say)
+{
+  std::vector<double>          said(2, 0.0);
+  std::vector<std::thread::id> by(2);
+  std::atomic<int>             arrived{ 0 };
+  const auto                   deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  parallelFor(2, 2, [&](std::size_t i) {
+    ++arrived;
+    while (arrived < 2 && std::chrono::steady_clock::now() < deadline)
+    {
+      std::this_thread::yield();
+    }
+    by[i] = std::this_thread::get_id();
+    said[i] = say();
+  });
+  EXPECT_NE(by[0], by[1]);
+  return said;
+}
+
+} // namespace
 
 TEST(ParallelFor, VisitsEveryIndexOnceForAnyThreadCount)
 {
@@ -84,6 +148,74 @@ TEST(ParallelFor, WorksAgainAfterAnException)
     parallelFor(visits.size(), 4, [&](std::size_t i) { ++visits[i]; });
     EXPECT_EQ(visits, std::vector<int>(10, 1));
   }
+}
+
+TEST(ParallelFor, RethrowsTheExceptionOfTheSmallestOfManyFailingIndices)
+{
+  for (int repeat = 0; repeat < 20000; ++repeat)
+  {
+    std::string said;
+    try
+    {
+      parallelFor(40, 4, [](std::size_t i) {
+        if (i >= 3)
+        {
+          throw InvalidInput(std::to_string(i));
+        }
+      });
+    }
+    catch (const InvalidInput & error)
+    {
+      said = error.what();
+    }
+    ASSERT_EQ(said, "3") << "repeat " << repeat;
+  }
+}
+
+TEST(ParallelFor, WorksInTheChildOfAForkWhateverOtherThreadsWereDoing)
+{
+#if !MOSERHEX_INSTRUMENTED // TSan refuses threads in such a child
+  std::atomic<bool> done{ false };
+  std::thread       other([&done] {
+    while (!done)
+    {
+      sumIsRight();
+    }
+  });
+  std::string       end = "exits with 0";
+  for (int repeat = 0; repeat < 300 && end == "exits with 0"; ++repeat)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      alarm(60); // should the parent be gone
+      _exit(sumIsRight() ? 0 : 1);
+    }
+    end = child > 0 ? endOf(child, std::chrono::seconds(20)) : "is not made";
+  }
+  done = true;
+  other.join();
+  EXPECT_EQ(end, "exits with 0");
+  EXPECT_TRUE(sumIsRight());
+#else
+  GTEST_SKIP() << "no fork under a sanitizer";
+#endif
+}
+
+TEST(ParallelFor, EveryThreadHasTheFloatingPointEnvironmentOfTheCaller)
+{
+  const auto third = [] {
+    volatile double three = 3.0;
+    return 1.0 / three;
+  };
+  const auto nearest = sayOfTwoThreads(third); // the helping thread is made here
+  const int  before = std::fegetround();
+  std::fesetround(FE_UPWARD);
+  const auto upward = sayOfTwoThreads(third);
+  std::fesetround(before);
+  EXPECT_GT(upward[0], nearest[0]);
+  EXPECT_EQ(upward[0], upward[1]);
+  EXPECT_EQ(sayOfTwoThreads(third), nearest);
 }
 
 TEST(ParallelForBlocks, CutsTheSameBlocksForAnyThreadCount)
