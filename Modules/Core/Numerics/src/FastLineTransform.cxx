@@ -1,10 +1,16 @@
 #include "LineTransform.h"
 
-#include <kissfft/kissfft.hh>
-
 #include <cmath>
 #include <complex>
+#include <utility>
 #include <vector>
+
+// Our own copy of the class, which no other of the program's can be taken for: it is compiled with an option of its
+// own. All headers that it includes come before.
+namespace
+{
+#include <kissfft/kissfft.hh>
+}
 
 namespace moserhex
 {

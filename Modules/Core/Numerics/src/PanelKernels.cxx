@@ -88,7 +88,19 @@ multiply(const double * factors,
 
 constexpr std::size_t tile = 4;
 using TileRow = double __attribute__((vector_size(8 * tile)));
-using TileOrder = long long __attribute__((vector_size(8 * tile)));
+
+/** The chosen values of a and b, counted through. */
+template <int... TFrom>
+MOSERHEX_INLINE TileRow
+shuffled(TileRow a, TileRow b)
+{
+#if defined(__clang__) || __GNUC__ >= 12
+  return __builtin_shufflevector(a, b, TFrom...);
+#else
+  using Order = long long __attribute__((vector_size(8 * tile)));
+  return __builtin_shuffle(a, b, Order{ TFrom... });
+#endif
+}
 
 MOSERHEX_INLINE TileRow
 loadTileRow(const double * from)
@@ -101,22 +113,18 @@ loadTileRow(const double * from)
 MOSERHEX_INLINE void
 transposeTile(const double * from, std::size_t fromStride, double * to, std::size_t toStride)
 {
-  constexpr TileOrder evens{ 0, 4, 2, 6 };
-  constexpr TileOrder odds{ 1, 5, 3, 7 };
-  constexpr TileOrder lows{ 0, 1, 4, 5 };
-  constexpr TileOrder highs{ 2, 3, 6, 7 };
-  const TileRow       a = loadTileRow(from);
-  const TileRow       b = loadTileRow(from + fromStride);
-  const TileRow       c = loadTileRow(from + 2 * fromStride);
-  const TileRow       d = loadTileRow(from + 3 * fromStride);
-  const TileRow       abEvens = __builtin_shuffle(a, b, evens);
-  const TileRow       abOdds = __builtin_shuffle(a, b, odds);
-  const TileRow       cdEvens = __builtin_shuffle(c, d, evens);
-  const TileRow       cdOdds = __builtin_shuffle(c, d, odds);
-  const TileRow       columns[tile] = { __builtin_shuffle(abEvens, cdEvens, lows),
-                                        __builtin_shuffle(abOdds, cdOdds, lows),
-                                        __builtin_shuffle(abEvens, cdEvens, highs),
-                                        __builtin_shuffle(abOdds, cdOdds, highs) };
+  const TileRow a = loadTileRow(from);
+  const TileRow b = loadTileRow(from + fromStride);
+  const TileRow c = loadTileRow(from + 2 * fromStride);
+  const TileRow d = loadTileRow(from + 3 * fromStride);
+  const TileRow abEvens = shuffled<0, 4, 2, 6>(a, b);
+  const TileRow abOdds = shuffled<1, 5, 3, 7>(a, b);
+  const TileRow cdEvens = shuffled<0, 4, 2, 6>(c, d);
+  const TileRow cdOdds = shuffled<1, 5, 3, 7>(c, d);
+  const TileRow columns[tile] = { shuffled<0, 1, 4, 5>(abEvens, cdEvens),
+                                  shuffled<0, 1, 4, 5>(abOdds, cdOdds),
+                                  shuffled<2, 3, 6, 7>(abEvens, cdEvens),
+                                  shuffled<2, 3, 6, 7>(abOdds, cdOdds) };
   for (std::size_t i = 0; i < tile; ++i)
   {
     std::memcpy(to + i * toStride, &columns[i], sizeof columns[i]);
