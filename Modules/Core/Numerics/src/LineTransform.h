@@ -28,7 +28,7 @@ public:
   virtual void
   inverse(LinePanel & panel) = 0;
 
-  /** Another object with the same tables and scratch of its own. */
+  /** Another object that gives the same numbers, with scratch of its own. Tables of more than O(n) are shared. */
   [[nodiscard]] virtual std::unique_ptr<LineTransform>
   clone() const = 0;
 };

@@ -24,8 +24,9 @@ enum class ComponentOrder
  *
  * Two engines give the same numbers to round-off: dense matrices, halved by their even and odd rows, O(n^4); and a
  * fast Fourier transform, O(n^3 log n) when n (sine: n + 1) has small prime factors. Automatic takes the faster one.
- * \note Const and safe to share between threads; copies share tables. Scratch, O(n) for each thread at work, is
- * allocated once and used again. The same bytes for any number of threads. */
+ * \note Const and safe to share between threads; copies share everything. The threads at work share the dense engine's
+ * O(n^2) tables and have O(n) scratch each (the fast engine's O(n) tables included), allocated once and used again. The
+ * same bytes for any number of threads. */
 class CubeTransform
 {
 public:
