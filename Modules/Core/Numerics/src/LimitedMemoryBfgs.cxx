@@ -91,6 +91,7 @@ public:
     return m_Pairs.empty();
   }
 
+  /** From gamma H0 with the gamma of the latest pair, the best guess at the scale there is. */
   void
   restart()
   {
@@ -346,6 +347,10 @@ minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
       }
       windowStart = value;
     }
+  }
+  if (!result.report.converged && result.report.note.empty())
+  {
+    result.report.note = "the steps ran out";
   }
   result.value = value;
   result.gradientNorm = gradient.norm();

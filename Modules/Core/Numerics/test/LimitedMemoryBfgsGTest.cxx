@@ -254,6 +254,7 @@ TEST(LimitedMemoryBfgs, StoppingToFallIsConvergence)
     const auto inverse = isPreconditioned ? f.inverse(1.0) : PreconditionerInPlace();
     const auto result = minimiseByLimitedMemoryBfgs(f, x, inverse, options);
     EXPECT_TRUE(result.report.converged) << isPreconditioned << " " << result.report.note;
+    EXPECT_EQ(result.report.note, "") << isPreconditioned;
     EXPECT_LT(result.report.residual, options.smallestDecrease) << isPreconditioned;
     EXPECT_LT(result.report.steps, 200) << isPreconditioned;
   }
@@ -265,6 +266,33 @@ TEST(LimitedMemoryBfgs, RunningOutOfStepsIsSaidNotThrown)
   const auto result = minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(5));
   EXPECT_FALSE(result.report.converged);
   EXPECT_EQ(result.report.steps, 5);
+  EXPECT_EQ(result.report.note, "the steps ran out");
+}
+
+TEST(LimitedMemoryBfgs, NoStepsAtAllIsSaidToo)
+{
+  VectorXd x = rosenbrockStart(2);
+  EXPECT_EQ(minimiseByLimitedMemoryBfgs(rosenbrock, x, {}, steps(0)).report.note, "the steps ran out");
+}
+
+TEST(LimitedMemoryBfgs, ARestartKeepsTheScaleOfTheLatestPair)
+{
+  // f = 2 x^2 with H0 = 0.1: the step from 1 to 0.6 gives gamma H0 = 1/4, Newton's step. The search there fails.
+  std::vector<double>      points;
+  LimitedMemoryBfgsOptions options = steps(2);
+  options.maximumTrials = 3;
+  const auto f = [&points](const VectorXd & x, VectorXd & gradient) {
+    points.push_back(x[0]);
+    gradient = 4.0 * x;
+    const bool isOfTheSearchThatFails = points.size() >= 3 && points.size() <= 5;
+    return isOfTheSearchThatFails ? std::numeric_limits<double>::quiet_NaN() : 2.0 * x.squaredNorm();
+  };
+  VectorXd x = VectorXd::Ones(1);
+  (void)minimiseByLimitedMemoryBfgs(
+    f, x, [](VectorXd & v) { v *= 0.1; }, options);
+  ASSERT_GE(points.size(), 6u);
+  EXPECT_NEAR(points[1], 0.6, 1e-15);
+  EXPECT_NEAR(points[5], 0.0, 1e-15); // from H0 alone: 0.36
 }
 
 TEST(LimitedMemoryBfgs, DirectionThatDoesNotDescendIsSaidAndNoConvergence)

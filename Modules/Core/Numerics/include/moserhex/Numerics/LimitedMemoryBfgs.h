@@ -40,16 +40,16 @@ using PreconditionerInPlace = std::function<void(Eigen::VectorXd &)>;
  *
  *   gamma H0,   gamma = s.y / y.H0 y  from the latest pair
  *
- * a backtracking line search (Armijo, quadratic interpolation, at most halving to a tenth), and a restart from H0 where
- * the search fails or the direction does not descend.
+ * (1 before there is one), a backtracking line search (Armijo, quadratic interpolation, at most halving to a tenth),
+ * and a restart from gamma H0 without the pairs where the search fails or the direction does not descend.
  *
  * \param x               start; the minimiser found on return
  * \param preconditioner  empty: the identity
  * \param progress        told of every step
  * \throws InvalidInput   an option out of range, or f not finite at the start
  * \throws Cancelled      by the callback
- * \note `converged` says that f stopped falling (or that its gradient vanished); running out of steps does not throw.
- * f never rises. */
+ * \note `converged` says that f stopped falling (or that its gradient vanished); running out of steps does not throw;
+ * `note` says why there was no convergence. f never rises. */
 LimitedMemoryBfgsResult
 minimiseByLimitedMemoryBfgs(const DifferentiableFunction &   f,
                             Eigen::VectorXd &                x,
