@@ -20,4 +20,7 @@ struct ShapeEnergyVariant
 [[nodiscard]] std::vector<ShapeEnergyVariant>
 shapeEnergyVariants();
 
+/** All there are. */
+constexpr const char * shapeEnergyVariantNames[] = { "plain", "avx2", "avx512f" };
+
 } // namespace moserhex::testing

@@ -22,4 +22,7 @@ struct PanelKernelsVariant
 [[nodiscard]] std::vector<PanelKernelsVariant>
 panelKernelsVariants();
 
+/** All there are. */
+constexpr const char * panelKernelsVariantNames[] = { "plain", "avx2", "avx512f" };
+
 } // namespace moserhex::testing
