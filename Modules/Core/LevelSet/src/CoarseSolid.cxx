@@ -28,17 +28,18 @@ requireUsable(const LevelSet & phi, double volume, const CoarseSolidOptions & op
 {
   requireValid(phi, "coarse solid");
   std::ostringstream message;
-  if (!(volume > 0.0))
+  const auto         isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (!isPositive(volume))
   {
-    message << "coarse solid: volume = " << volume << " mm^3, need > 0";
+    message << "coarse solid: volume = " << volume << " mm^3, need > 0 and finite";
   }
-  else if (!(options.nodesPerSide > 0.0) || !(options.nodesAcrossThickness > 0.0) ||
-           !(options.refinement > 0.0 && options.refinement < 1.0) || !(options.acceptedVolumeChange > 0.0))
+  else if (!isPositive(options.nodesPerSide) || !isPositive(options.nodesAcrossThickness) ||
+           !(options.refinement > 0.0 && options.refinement < 1.0) || !isPositive(options.acceptedVolumeChange))
   {
     message << "coarse solid: nodesPerSide = " << options.nodesPerSide
-            << " (need > 0), nodesAcrossThickness = " << options.nodesAcrossThickness
-            << " (need > 0), refinement = " << options.refinement
-            << " (need (0,1)), acceptedVolumeChange = " << options.acceptedVolumeChange << " (need > 0)";
+            << " (need > 0 and finite), nodesAcrossThickness = " << options.nodesAcrossThickness
+            << " (need > 0 and finite), refinement = " << options.refinement
+            << " (need (0,1)), acceptedVolumeChange = " << options.acceptedVolumeChange << " (need > 0 and finite)";
   }
   if (!message.str().empty())
   {
@@ -52,6 +53,13 @@ struct Extent
   RegularGrid::Index lower;
   RegularGrid::Index upper;
   double             faceArea{ 0.0 }; ///< of the faces between nodes inside and outside [mm^2]
+
+  /** Nodes along the longest side. */
+  [[nodiscard]] int
+  longest() const
+  {
+    return std::max({ upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2] }) + 1;
+  }
 };
 
 Extent
@@ -143,9 +151,10 @@ coarseSolid(const LevelSet & phi, double volume, const CoarseSolidOptions & opti
 {
   requireUsable(phi, volume, options);
   const Extent extent = extentOf(phi);
-  double       spacing =
-    std::min(std::cbrt(volume) / options.nodesPerSide, 2.0 * volume / extent.faceArea / options.nodesAcrossThickness);
-  CoarseSolid solid;
+  double       spacing = std::min({ std::cbrt(volume) / options.nodesPerSide,
+                                    2.0 * volume / extent.faceArea / options.nodesAcrossThickness,
+                                    extent.longest() * phi.grid.spacing }); // whatever the volume
+  CoarseSolid  solid;
   for (; spacing > smallestGain * phi.grid.spacing; spacing *= options.refinement, ++solid.refinements)
   {
     solid.levelSet = resampled(phi, extent, spacing);

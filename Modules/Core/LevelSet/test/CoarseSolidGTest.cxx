@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace moserhex;
 
@@ -152,4 +153,31 @@ TEST(CoarseSolid, WhatIsNotASolidIsRefused)
   CoarseSolidOptions options;
   options.refinement = 1.0;
   EXPECT_THROW((void)coarseSolid(phi, ballVolume, options), InvalidInput);
+}
+
+TEST(CoarseSolid, NumbersThatAreNotFiniteAreRefused)
+{
+  const LevelSet phi = test::sample(test::unitGrid(21), toBall);
+  for (const double number : { std::numeric_limits<double>::infinity(), std::nan("") })
+  {
+    EXPECT_THROW((void)coarseSolid(phi, number), InvalidInput) << number;
+    for (double CoarseSolidOptions::*const option : { &CoarseSolidOptions::nodesPerSide,
+                                                      &CoarseSolidOptions::nodesAcrossThickness,
+                                                      &CoarseSolidOptions::refinement,
+                                                      &CoarseSolidOptions::acceptedVolumeChange })
+    {
+      CoarseSolidOptions options;
+      options.*option = number;
+      EXPECT_THROW((void)coarseSolid(phi, ballVolume, options), InvalidInput) << number;
+    }
+  }
+}
+
+TEST(CoarseSolid, AVolumeThatCannotBeTheSolidsGivesTheLevelSetAsItIs)
+{
+  const LevelSet phi = test::sample(test::unitGrid(37), toBall);
+  for (const double volume : { 1e-300, 1e10, 1e308 })
+  {
+    EXPECT_EQ(coarseSolid(phi, volume).levelSet.values, phi.values) << volume;
+  }
 }

@@ -33,8 +33,9 @@ struct CoarseSolid
  *
  * \param phi     signed distance of a ball, as conditionLabel() makes it  [mm]
  * \param volume  of the solid                                             [mm^3]
- * \throws InvalidInput  invalid level set without a node inside, volume not positive, options out of range
- * \note O(nodes of phi) once, to find its extent; the rest does not depend on the spacing of phi. Deterministic. */
+ * \throws InvalidInput  invalid level set or one without a node inside; volume not positive and finite; an option out
+ * of range or not finite \note O(nodes of phi) once, to find its extent; the rest does not depend on the spacing of
+ * phi. Deterministic. */
 [[nodiscard]] CoarseSolid
 coarseSolid(const LevelSet & phi, double volume, const CoarseSolidOptions & options = {});
 
