@@ -66,8 +66,10 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
                  "them so that its edges leave hollows")
     ->check(CLI::IsMember({ "anatomical", "ridge" }))
     ->capture_default_str();
-  command->add_option(
-    "--density", options.density, "Positive image: every cell gets the same mass, not volume; needs --stage exact");
+  command->add_option("--density",
+                      options.density,
+                      "Positive image: every cell gets the same mass, not volume; around the label it does not count; "
+                      "needs --stage exact");
   command->add_flag("--allow-partial", options.allowPartial, "Write a mesh that is not exact, with a warning");
   command
     ->add_option(

@@ -1,6 +1,7 @@
 #include "moserhex/LevelSet/LabelDensity.h"
 
 #include "DensityText.h"
+#include "NearestVoxel.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/LevelSet/VoxelTopology.h"
@@ -15,6 +16,7 @@ namespace
 
 constexpr int    mostPartsOfAVoxel = 4;    ///< along an axis
 constexpr double coverageTolerance = 0.05; ///< by which the image may be short, in density voxels: headers are rounded
+constexpr double smallestPartOfMean = 1e-300; ///< what smoothing by the spline keeps positive
 
 using Index = std::array<int, 3>;
 
@@ -246,6 +248,15 @@ indexOf(const VoxelGrid & grid, std::size_t voxel)
   return { { static_cast<int>(voxel % nx), static_cast<int>(voxel / nx % ny), static_cast<int>(voxel / (nx * ny)) } };
 }
 
+/** describeVoxel of the image for a voxel of a part of it. */
+std::string
+describeInImage(const ScalarVolume & image, const ImagePart & part, std::size_t voxel)
+{
+  const Index       at = indexOf(part.volume, voxel);
+  const std::size_t inImage = image.voxelNumber(at[0] + part.first[0], at[1] + part.first[1], at[2] + part.first[2]);
+  return describeVoxel(image, inImage, image.values[inImage]);
+}
+
 void
 requirePositive(const ScalarVolume & image, const ImagePart & part, const std::vector<std::uint8_t> & overlaps)
 {
@@ -253,74 +264,22 @@ requirePositive(const ScalarVolume & image, const ImagePart & part, const std::v
   {
     if (overlaps[voxel] != 0 && !isDensity(part.volume.values[voxel]))
     {
-      const Index       at = indexOf(part.volume, voxel);
-      const std::size_t inImage =
-        image.voxelNumber(at[0] + part.first[0], at[1] + part.first[1], at[2] + part.first[2]);
-      throw InvalidInput("density image: " + describeVoxel(image, inImage, image.values[inImage]) +
+      throw InvalidInput("density image: " + describeInImage(image, part, voxel) +
                          " in the label, need positive and finite");
     }
   }
 }
 
-/** Mean of the neighbours across a face that are densities; 0 when there is none. */
-double
-meanOfNeighbours(const ScalarVolume & image, std::size_t voxel)
+/** Step 4. */
+void
+continueOutwardsInPlace(ScalarVolume & image, const std::vector<std::uint8_t> & overlaps, unsigned int threads)
 {
-  const Index       at = indexOf(image, voxel);
-  const std::size_t strides[3] = { 1, image.voxelNumber(0, 1, 0), image.voxelNumber(0, 0, 1) };
-  double            sum = 0.0;
-  int               count = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  const std::vector<std::size_t> nearest = nearestMarkedVoxel(image, overlaps, threads);
+  const std::vector<double>      values = image.values;
+  for (std::size_t voxel = 0; voxel < nearest.size(); ++voxel)
   {
-    const auto add = [&](bool exists, std::size_t neighbour) {
-      if (exists && isDensity(image.values[neighbour]))
-      {
-        sum += image.values[neighbour];
-        ++count;
-      }
-    };
-    add(at[axis] > 0, voxel - strides[axis]);
-    add(at[axis] + 1 < image.size[axis], voxel + strides[axis]);
+    image.values[voxel] = values[nearest[voxel]];
   }
-  return count > 0 ? sum / count : 0.0;
-}
-
-/** Step 4. At least one voxel must be a density. Returns the number of voxels changed. */
-std::size_t
-continueOutwardsInPlace(ScalarVolume & image)
-{
-  std::vector<std::size_t> unknown;
-  for (std::size_t voxel = 0; voxel < image.values.size(); ++voxel)
-  {
-    if (!isDensity(image.values[voxel]))
-    {
-      unknown.push_back(voxel);
-    }
-  }
-  const std::size_t continued = unknown.size();
-  while (!unknown.empty())
-  {
-    std::vector<std::pair<std::size_t, double>> layer;
-    std::vector<std::size_t>                    left;
-    for (const std::size_t voxel : unknown)
-    {
-      const double mean = meanOfNeighbours(image, voxel);
-      if (mean > 0.0)
-      {
-        layer.emplace_back(voxel, mean);
-      }
-      else
-      {
-        left.push_back(voxel);
-      }
-    }
-    for (const auto & [voxel, mean] : layer)
-    {
-      image.values[voxel] = mean;
-    }
-    unknown = std::move(left);
-  }
-  return continued;
 }
 
 } // namespace
@@ -363,7 +322,7 @@ densityOnLabel(const ScalarVolume & image, const LabelVolume & label, unsigned i
   ImagePart                       part = partAround(image, box, solid);
   const std::vector<std::uint8_t> overlaps = overlappingVoxels(solid, part.volume);
   requirePositive(image, part, overlaps);
-  const std::size_t continued = continueOutwardsInPlace(part.volume);
+  continueOutwardsInPlace(part.volume, overlaps, threads);
 
   const double mean = meanDensity(solid, DensityImage(part.volume), part.volume, threads);
   if (!isDensity(mean) || !isDensity(1.0 / mean))
@@ -378,19 +337,17 @@ densityOnLabel(const ScalarVolume & image, const LabelVolume & label, unsigned i
     part.volume.values[voxel] /= mean;
     if (overlaps[voxel] != 0)
     {
+      if (part.volume.values[voxel] < smallestPartOfMean)
+      {
+        throw InvalidInput("density image: " + describeInImage(image, part, voxel) +
+                           ", too little beside its mean over the label, " + describeNumber(mean));
+      }
       smallest = std::min(smallest, part.volume.values[voxel]);
       largest = std::max(largest, part.volume.values[voxel]);
     }
   }
   const double volume = static_cast<double>(voxelCount(solid)) * solid.voxelVolume();
-  LabelDensity result{ DensityImage(part.volume), mean, mean * volume, smallest, largest, continued, {} };
-  if (continued > 0)
-  {
-    result.warnings.push_back("density image: " + std::to_string(continued) + " of " + std::to_string(overlaps.size()) +
-                              " voxels in the box around the label are not positive and finite; none overlaps the "
-                              "label, they continue their neighbours");
-  }
-  return result;
+  return { DensityImage(part.volume), mean, mean * volume, smallest, largest };
 }
 
 } // namespace moserhex

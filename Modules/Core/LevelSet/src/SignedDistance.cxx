@@ -1,5 +1,6 @@
 #include "moserhex/LevelSet/SignedDistance.h"
 
+#include "LowerEnvelope.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 
@@ -20,89 +21,31 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
  *
  * over the voxels p of q's own run and the two that bound it, which are of the other kind, so 0 away from it. No voxel
  * beyond these can be nearer. */
-class LowerEnvelope
+void
+transformLine(LowerEnvelope & envelope, double * f, const std::uint8_t * kind, int length)
 {
-public:
-  LowerEnvelope(std::size_t length, double spacing)
-    : m_SquaredSpacing(spacing * spacing), m_Parabola(length + 2), m_From(length + 2), m_Value(length + 2)
-  {}
-
-  void
-  apply(double * f, const std::uint8_t * kind, int length)
+  for (int begin = 0, end = 0; begin < length; begin = end)
   {
-    for (int begin = 0, end = 0; begin < length; begin = end)
+    for (end = begin + 1; end < length && kind[end] == kind[begin];)
     {
-      for (end = begin + 1; end < length && kind[end] == kind[begin];)
-      {
-        ++end;
-      }
-      m_Last = -1;
-      if (begin > 0)
-      {
-        add(begin - 1, 0.0);
-      }
-      for (int q = begin; q < end; ++q)
-      {
-        if (f[q] < infinity)
-        {
-          add(q, f[q]);
-        }
-      }
-      if (end < length)
-      {
-        add(end, 0.0);
-      }
-      evaluate(f, begin, end);
+      ++end;
     }
-  }
-
-private:
-  void
-  add(int q, double value)
-  {
-    double from = -infinity; // the new parabola is the lowest from here on
-    for (; m_Last >= 0; --m_Last)
+    envelope.clear();
+    if (begin > 0)
     {
-      const auto last = static_cast<std::size_t>(m_Last);
-      const int  p = m_Parabola[last];
-      from = 0.5 * (p + q) + (value - m_Value[last]) / (2.0 * m_SquaredSpacing * (q - p));
-      if (from > m_From[last])
-      {
-        break;
-      }
+      envelope.add(begin - 1, 0.0);
     }
-    const auto last = static_cast<std::size_t>(++m_Last);
-    m_Parabola[last] = q;
-    m_Value[last] = value;
-    m_From[last] = m_Last == 0 ? -infinity : from;
-  }
-
-  void
-  evaluate(double * f, int begin, int end) const
-  {
-    if (m_Last < 0)
-    {
-      return;
-    }
-    const auto  last = static_cast<std::size_t>(m_Last);
-    std::size_t current = 0;
     for (int q = begin; q < end; ++q)
     {
-      while (current < last && m_From[current + 1] < q)
-      {
-        ++current;
-      }
-      const double steps = q - m_Parabola[current];
-      f[q] = m_SquaredSpacing * steps * steps + m_Value[current];
+      envelope.add(q, f[q]);
     }
+    if (end < length)
+    {
+      envelope.add(end, 0.0);
+    }
+    envelope.evaluate(begin, end, [f](int q, int, double value) { f[q] = value; });
   }
-
-  double              m_SquaredSpacing;
-  int                 m_Last{ -1 }; ///< the envelope's last parabola
-  std::vector<int>    m_Parabola;   ///< its apex
-  std::vector<double> m_From;       ///< where it becomes the lowest
-  std::vector<double> m_Value;      ///< at its apex
-};
+}
 
 /** Applies the transform to all lines along axis 1 or 2, eight neighbouring lines at a time for the sake of the cache.
  */
@@ -140,7 +83,7 @@ transformAlong(std::vector<double> & f, const LabelVolume & label, std::size_t a
       }
       for (std::size_t line = 0; line < count; ++line)
       {
-        envelope.apply(lines.data() + line * length, kinds.data() + line * length, static_cast<int>(length));
+        transformLine(envelope, lines.data() + line * length, kinds.data() + line * length, static_cast<int>(length));
       }
       for (std::size_t q = 0; q < length; ++q)
       {

@@ -189,11 +189,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
   m_Result = mayChangeShells ? this->MeshFromBestShells(phi) : this->MeshFromUsualShells(phi);
 
-  std::vector<std::string> warnings = moserhex::warningsOf(m_ConditioningReport);
-  if (m_LabelDensity)
-  {
-    warnings.insert(warnings.end(), m_LabelDensity->warnings.begin(), m_LabelDensity->warnings.end());
-  }
+  const std::vector<std::string> warnings = moserhex::warningsOf(m_ConditioningReport);
   m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
   m_Result.stages.insert(m_Result.stages.begin(), { "conditioning", conditioningSeconds, {}, {} });
   CopyHexMeshToItk(m_Result.mesh, this->GetOutput());

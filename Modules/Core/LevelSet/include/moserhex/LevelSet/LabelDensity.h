@@ -3,10 +3,6 @@
 #include "moserhex/LevelSet/DensityImage.h"
 #include "moserhex/LevelSet/LabelVolume.h"
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace moserhex
 {
 
@@ -14,13 +10,11 @@ namespace moserhex
  * the label's volume. The mass every cell gets is then V_label / (n-1)^3 [mm^3], with or without a density. */
 struct LabelDensity
 {
-  DensityImage             density;            ///< mean 1 over the label [1]
-  double                   meanDensity{ 0.0 }; ///< mean over the label before that [unit of the image]
-  double                   mass{ 0.0 };        ///< meanDensity * V_label [unit of the image * mm^3]
-  double                   smallest{ 0.0 };    ///< of the voxels that overlap the label, over meanDensity [1]
-  double                   largest{ 0.0 };     ///< likewise [1]
-  std::size_t              continued{ 0 };     ///< voxels beside the label that got their value from others
-  std::vector<std::string> warnings;           ///< one line each
+  DensityImage density;            ///< mean 1 over the label [1]
+  double       meanDensity{ 0.0 }; ///< mean over the label before that [unit of the image]
+  double       mass{ 0.0 };        ///< meanDensity * V_label [unit of the image * mm^3]
+  double       smallest{ 0.0 };    ///< of the voxels that overlap the label, over meanDensity [1]
+  double       largest{ 0.0 };     ///< likewise [1]
 };
 
 /** Mean of the density over the voxels of a label: integral of mu over the label / V_label.
@@ -45,13 +39,14 @@ meanDensity(const LabelVolume & label,
  * 2. Every voxel of it must lie in the image: its box, half a voxel beyond the outer voxel centres.
  * 3. Every density voxel that overlaps the label must be positive and finite. One overlaps when its centre lies in a
  *    voxel of the label, or it holds one of the points of meanDensity; on a common grid these are the label's voxels.
- * 4. Voxels beside the label that are not positive and finite (a density masked by its organ) do not count: layer by
- *    layer they become the mean of their neighbours (6 of them) that have a value.
+ * 4. What the image holds beside the label never matters (other tissue, or a density masked by its organ): a voxel
+ *    there gets the value of the nearest one that overlaps the label, so that the spline, which blends neighbours, and
+ *    a mesh whose surface is not that of the voxels see the label's own values only.
  * 5. The density is divided by its mean over the label.
  *
  * \throws InvalidInput  invalid image; image does not cover the label (names the side and by how much); a voxel that
- *                       overlaps the label is not positive and finite (names the first, in the order of voxel numbers,
- *                       and its value); invalid or empty label */
+ *                       overlaps the label is not positive and finite, or below 1e-300 of the mean (names the first, in
+ *                       the order of the image's voxel numbers, and its value); invalid or empty label */
 [[nodiscard]] LabelDensity
 densityOnLabel(const ScalarVolume & image, const LabelVolume & label, unsigned int threads = 0);
 
