@@ -123,7 +123,7 @@ placeFrame(const TriangleMesh &          surface,
   result.evaluations = search.evaluations();
   result.report = search.report();
   result.report.seconds = watch.seconds();
-  result.report.note = "frame placement";
+  result.report.note = result.report.converged ? "" : "the rounds ran out";
   reportProgress(progress, 1.0);
   return result;
 }

@@ -16,6 +16,7 @@ namespace
 constexpr std::size_t cellsPerBlock = 32;
 constexpr int         fewestPoints = 2;
 constexpr int         mostPoints = 48;
+constexpr int         mostPointsToRefine = 32;
 constexpr int         mostChosenPoints = 9; ///< chooseMassQuadrature: finer rules cost a second a step
 
 /** The next rule of the sequence 2, 3, 4, 6, 9, 13, 19, 28, 42. */
@@ -195,8 +196,15 @@ MassMeasure::evaluate(const HexMesh &       mesh,
 double
 MassMeasure::estimateError(const HexMesh & mesh, unsigned int threads) const
 {
+  const int points = m_Options.pointsPerAxis;
+  if (points > mostPointsToRefine)
+  {
+    throw InvalidInput("mass quadrature: estimate of the error with " + std::to_string(points) +
+                       " points per axis, need " + std::to_string(fewestPoints) + " to " +
+                       std::to_string(mostPointsToRefine));
+  }
   requireValid(mesh);
-  const MassMeasure   finer(m_Density, { nextFiner(m_Options.pointsPerAxis) });
+  const MassMeasure   finer(m_Density, { nextFiner(points) });
   std::vector<double> masses;
   std::vector<double> finerMasses;
   evaluate(mesh, threads, masses);

@@ -143,6 +143,7 @@ TEST(FramePlacement, FrameOfATurnedCubeIsFoundAgain)
     EXPECT_LT(result.after.score, result.before.score);
     EXPECT_GT(result.after.smallestScaledJacobian, result.before.smallestScaledJacobian);
     EXPECT_TRUE(result.report.converged);
+    EXPECT_EQ(result.report.note, "");
   }
 }
 
@@ -246,6 +247,7 @@ TEST(FramePlacement, SearchThatRunsOutOfRoundsSaysSo)
   options.maximumRounds = 2;
   const FramePlacementResult result = placeFrame(lobedSurface(), directions(3), options);
   EXPECT_FALSE(result.report.converged);
+  EXPECT_EQ(result.report.note, "the rounds ran out");
   EXPECT_EQ(result.report.steps, 2);
 }
 

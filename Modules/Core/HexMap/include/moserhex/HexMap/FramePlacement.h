@@ -19,7 +19,7 @@ struct FramePlacementOptions
   /** Largest boost b, 0 <= b < 0.5; 0: rotation only. It changes area ratios by at most ((1 + b) / (1 - b))^2. [1] */
   double maximumBoost{ 0.0 };
 
-  double sharpness{ 10.0 };    ///< k > 0: the larger, the more the worst corners of an edge decide [1]
+  double sharpness{ 10.0 };    ///< k, 0 < k <= 100: the larger, the more the worst corners of an edge decide [1]
   double anchor{ 1.0 };        ///< a >= 0: the score must fall by the factor exp(a) to go as far as the bounds [1]
   double firstStep{ 0.5 };     ///< of the search, part of the bounds, in (0, 1] [1]
   double smallestStep{ 0.02 }; ///< the search ends below this part of the bounds, in (0, firstStep] [1]
