@@ -1,5 +1,7 @@
 #pragma once
 
+#include "moserhex/Common/EigenAlignment.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -7,6 +9,12 @@
 
 namespace moserhex
 {
+
+// Matrices cross the library's border. What one side allocates at 16 bytes and the other frees at 32 crashes.
+static_assert(EIGEN_MAX_ALIGN_BYTES == eigenMaxAlignBytes && EIGEN_MAX_STATIC_ALIGN_BYTES == eigenMaxStaticAlignBytes,
+              "Eigen aligns memory here otherwise than in the MoserHex library: the instruction sets differ. Compile "
+              "both with the same -m options, or define EIGEN_MAX_ALIGN_BYTES as eigenMaxAlignBytes in "
+              "moserhex/Common/EigenAlignment.h says.");
 
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
