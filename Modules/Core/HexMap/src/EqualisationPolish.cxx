@@ -1,6 +1,7 @@
 #include "Equaliser.h"
 #include "moserhex/Quality/HexQuality.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace moserhex
@@ -10,28 +11,44 @@ namespace
 
 /** A mesh with a smaller scaled Jacobian than this is polished [1]. */
 constexpr double narrowScaledJacobian = 0.18;
-/** Corners are lifted towards this: above what is asked for, as the projection takes some of it back [1]. */
-constexpr double goal = 0.23;
-/** Cells next to the goal are held as well, lest they pay for the others. */
-constexpr double watchedScaledJacobian = 1.3 * goal;
+/** Corners are lifted towards twice the smallest scaled Jacobian there is, within these: a goal out of reach pushes the
+ * boundary off the surface. The largest is above what is asked for, as the projection takes some of it back [1]. */
+constexpr double lowestGoal = 0.06;
+constexpr double highestGoal = 0.23;
+/** Cells up to this many times the goal are held as well, lest they pay for the others. */
+constexpr double watchedPartOfGoal = 1.3;
+/** Where a round leads too far, its first half is tried, and so on down to this part. */
+constexpr double smallestPart = 0.125;
 constexpr double weight = 100.0;
 /** Few steps: the mesh is good already but for some corners, and only these are to move. */
 constexpr EqualisationStage stage{ 0.02, 1000.0, 80.0, 10, 1 };
 constexpr double            smallestDecrease = 1e-7;
 
-/** First nodes of the cells with a scaled Jacobian below watchedScaledJacobian. */
+/** First nodes of the cells with a scaled Jacobian below the bound. */
 std::vector<std::size_t>
-watchedCells(const HexMesh & mesh, const LatticeLayout & layout)
+cellsBelow(double bound, const HexMesh & mesh, const LatticeLayout & layout)
 {
   std::vector<std::size_t> firstNodes;
   for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
   {
-    if (hexCellQuality(cellCorners(mesh, cell)).scaledJacobian < watchedScaledJacobian)
+    if (hexCellQuality(cellCorners(mesh, cell)).scaledJacobian < bound)
     {
       firstNodes.push_back(layout.firstNode(cell));
     }
   }
   return firstNodes;
+}
+
+/** The nodes that part of the way from one state to another, at the level of the other. */
+EqualisedLattice::State
+between(const EqualisedLattice::State & from, const EqualisedLattice::State & to, double part)
+{
+  EqualisedLattice::State state = to;
+  for (std::size_t node = 0; node < state.mesh.nodes.size(); ++node)
+  {
+    state.mesh.nodes[node] = (1.0 - part) * from.mesh.nodes[node] + part * to.mesh.nodes[node];
+  }
+  return state;
 }
 
 } // namespace
@@ -54,22 +71,33 @@ Equaliser::polish(const ProgressCallback & progress)
     return;
   }
   EqualisedLattice::State kept = m_Lattice.state();
-  for (std::size_t round = 0; round < rounds && fewest.scaledJacobian < narrowScaledJacobian; ++round)
+  bool                    isRising = true;
+  for (std::size_t round = 0; round < rounds && isRising && fewest.scaledJacobian < narrowScaledJacobian; ++round)
   {
     const Stopwatch        stopwatch;
     const ProgressCallback ofRound = progressOfPart(progress, round, rounds);
+    const double           goal = std::min(std::max(lowestGoal, 2.0 * fewest.scaledJacobian), highestGoal);
     Eigen::VectorXd        x = m_Lattice.vector(optimiser.layout());
-    optimiser.setCornerBarrier(watchedCells(m_Lattice.mesh(), optimiser.layout()), goal, weight);
+    optimiser.setCornerBarrier(
+      cellsBelow(watchedPartOfGoal * goal, m_Lattice.mesh(), optimiser.layout()), goal, weight);
     prepareRound(optimiser, x, springGrowth);
     const LimitedMemoryBfgsResult result =
       optimiser.minimise(x, stage, smallestDecrease, progressBetween(ofRound, 0.0, 0.5));
     m_Lattice.take(optimiser, x);
     log("polish", result.report.steps, result.evaluations, stopwatch, optimiser);
-    const EqualisationFlaws present = project(optimiser, progressBetween(ofRound, 0.5, 1.0));
-    if (present.scaledJacobian > fewest.scaledJacobian && present.fewerThan(fewest, best))
+    const EqualisedLattice::State polished = m_Lattice.state();
+    isRising = false;
+    for (double part = 1.0; part >= smallestPart && !isRising; part *= 0.5)
     {
-      fewest = present;
-      kept = m_Lattice.state();
+      m_Lattice.setState(between(kept, polished, part));
+      const EqualisationFlaws present =
+        project(optimiser, progressBetween(ofRound, 1.0 - 0.5 * part, 1.0 - 0.25 * part));
+      isRising = present.scaledJacobian > fewest.scaledJacobian && present.fewerThan(fewest, best);
+      if (isRising)
+      {
+        fewest = present;
+        kept = m_Lattice.state();
+      }
     }
   }
   m_Lattice.setState(std::move(kept));

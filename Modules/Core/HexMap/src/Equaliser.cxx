@@ -188,6 +188,7 @@ Equaliser::result() const
   result.variance = m_Lattice.deviation();
   result.concaveCells = volumeQuality(result.mesh).concaveCells;
   result.uncertifiedCells = flaws.uncertified;
+  result.smallestScaledJacobian = flaws.scaledJacobian;
   result.largestDistance = flaws.distance * m_Lattice.unit();
   result.uncoveredDistance = flaws.uncovered * m_Lattice.unit();
   result.steps = m_Steps;

@@ -127,13 +127,23 @@ TEST(EqualisationPolish, NeverReturnsAWorseMesh)
   }
 }
 
+TEST(EqualisationPolish, RoundThatLeadsTooFarIsTakenInPart)
+{
+  const HexMesh            narrow = withANarrowCorner();
+  const EqualisationResult start = polished(narrow, unpolished());
+  const EqualisationResult result = polished(narrow, withRounds(1, unpolished(1.01 * start.largestDistance)));
+  ASSERT_GT(result.steps.size(), 2u); // else nothing is tested
+  EXPECT_GT(result.smallestScaledJacobian, start.smallestScaledJacobian);
+  EXPECT_TRUE(result.exact);
+}
+
 TEST(EqualisationPolish, MeshThatCannotBeLiftedComesBackAsItWas)
 {
   EqualisationOptions options = withRounds(2);
   options.projection.maximumSteps = 0; // the cells do not become equal again
   const HexMesh            narrow = withANarrowCorner();
   const EqualisationResult result = polished(narrow, options);
-  EXPECT_EQ(result.steps.size(), 4u);
+  EXPECT_EQ(result.steps.size(), 5u); // one round, and four projections of ever smaller parts of it
   EXPECT_EQ(result.mesh.nodes, narrow.nodes);
 }
 

@@ -108,6 +108,7 @@ expectHonest(const EqualisationResult & result, const SignedDistance & phi, doub
   EXPECT_EQ(result.concaveCells, volumeQuality(result.mesh).concaveCells);
   EXPECT_EQ(result.uncertifiedCells, result.mesh.cellCount() - certifyCells(result.mesh).positive);
   EXPECT_NEAR(result.largestDistance, largestDistance(result.mesh, phi), 1e-9 * result.largestDistance + 1e-12);
+  EXPECT_EQ(result.smallestScaledJacobian, summarizeQuality(result.mesh).scaledJacobian.minimum);
   EXPECT_EQ(result.exact, result.shortcomings.empty());
   EXPECT_EQ(result.report.converged, result.exact);
   EXPECT_EQ(result.report.residual, result.variance);

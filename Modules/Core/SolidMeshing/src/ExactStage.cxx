@@ -21,6 +21,9 @@ namespace
 
 const double degree = std::acos(-1.0) / 180.0;
 
+/** An exact mesh of at least this smallest scaled Jacobian ends the search for a better frame [1]. */
+constexpr double ampleScaledJacobian = 0.1;
+
 /** Turned frames that are tried on a lattice of 6 and of 10 nodes a side. */
 constexpr std::size_t turnsOnCoarsestLattice = 24;
 constexpr std::size_t turnsOnCoarseLattice = 6;
@@ -100,8 +103,18 @@ isGivenUp(const EqualisationResult & result)
 auto
 badness(const EqualisationResult & result)
 {
-  return std::make_tuple(
-    !result.exact, isGivenUp(result), result.concaveCells, result.uncertifiedCells, result.largestDistance);
+  return std::make_tuple(!result.exact,
+                         isGivenUp(result),
+                         result.concaveCells,
+                         result.uncertifiedCells,
+                         -std::min(result.smallestScaledJacobian, ampleScaledJacobian),
+                         result.largestDistance);
+}
+
+bool
+isAmple(const EqualisationResult & result)
+{
+  return result.exact && result.smallestScaledJacobian >= ampleScaledJacobian;
 }
 
 /** How far a start led on a coarse lattice; smaller is better. */
@@ -132,7 +145,7 @@ keepBestOnLattice(const ExactStage & stage, int nodesPerSide, std::size_t count,
   std::vector<Prospect> prospects(turns.size());
   parallelFor(turns.size(), stage.options.threads, [&](std::size_t t) {
     const EqualisationResult result = equalise(stage, coarse, stage.turnedStart(turns[t]), {});
-    prospects[t] = { result.uncertifiedCells, summarizeQuality(result.mesh).scaledJacobian.minimum, turns[t] };
+    prospects[t] = { result.uncertifiedCells, result.smallestScaledJacobian, turns[t] };
   });
   std::stable_sort(
     prospects.begin(), prospects.end(), [](const Prospect & a, const Prospect & b) { return a.isBetterThan(b); });
@@ -155,8 +168,8 @@ describeTurn(const Matrix3 & turn)
 
 /** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Judges many turns by
  * where the edges lie on the surface, some of them by meshes on ever finer coarse lattices, meshes the best at full
- * size until one is exact, and keeps the best mesh. Where none is exact an own frame that was given up is worked out.
- */
+ * size until one is exact with room to spare, and keeps the best mesh. Where none is exact an own frame that was given
+ * up is worked out. */
 void
 tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
 {
@@ -166,20 +179,25 @@ tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const Pro
   keepBestOnLattice(stage, 6, turnsOnCoarseLattice, turns);
   reportProgress(progress, 0.5);
   keepBestOnLattice(stage, 10, static_cast<std::size_t>(options.turnedFrames), turns);
-  if (isGivenUp(*result.equalisation))
-  {
-    turns.emplace_back(Matrix3::Identity());
-  }
   const ProgressCallback atFullSize = progressBetween(progress, 0.6, 1.0);
-  for (std::size_t t = 0; t < turns.size() && !result.equalisation->exact; ++t)
-  {
-    EqualisationResult equalised = equalise(
-      stage, equalisationOptions(options), stage.turnedStart(turns[t]), progressOfPart(atFullSize, t, turns.size()));
+  const std::size_t      parts = turns.size() + 1;
+  const bool             wasGivenUp = isGivenUp(*result.equalisation);
+  const auto             workOut = [&](const Matrix3 & turn, std::size_t part) {
+    EqualisationResult equalised =
+      equalise(stage, equalisationOptions(options), stage.turnedStart(turn), progressOfPart(atFullSize, part, parts));
     if (badness(equalised) < badness(*result.equalisation))
     {
       keep(std::move(equalised), result);
-      result.turnWarning = turns[t].isIdentity() ? "" : describeTurn(turns[t]);
+      result.turnWarning = turn.isIdentity() ? "" : describeTurn(turn);
     }
+  };
+  for (std::size_t t = 0; t < turns.size() && !isAmple(*result.equalisation); ++t)
+  {
+    workOut(turns[t], t);
+  }
+  if (wasGivenUp && !result.equalisation->exact)
+  {
+    workOut(Matrix3::Identity(), turns.size());
   }
 }
 

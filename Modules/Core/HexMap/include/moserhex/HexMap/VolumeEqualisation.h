@@ -37,7 +37,7 @@ struct EqualisationOptions
   double repairMargin{
     0.03
   };                     ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1
-  int polishRounds{ 4 }; ///< of lifting the narrowest corners of an exact mesh and projecting again
+  int polishRounds{ 8 }; ///< of lifting the narrowest corners of an exact mesh and projecting again
   /** A minimised mesh with more uncertified cells is returned as it is, not equal, for want of prospects. */
   std::size_t hopelessCells{ std::numeric_limits<std::size_t>::max() };
   double      surfaceTolerance{ 0.5 }; ///< a boundary farther than this from the surface is reported as failed [mm]
@@ -66,12 +66,13 @@ struct EqualisationStep
 struct EqualisationResult
 {
   HexMesh                       mesh;
-  double                        level{ 0.0 };             ///< of phi, on which the boundary nodes were held [mm]
-  double                        variance{ 0.0 };          ///< mean (measure / target - 1)^2 [1]
-  std::size_t                   concaveCells{ 0 };        ///< with det J <= 0 at a corner
-  std::size_t                   uncertifiedCells{ 0 };    ///< not certified positive in the whole cell
-  double                        largestDistance{ 0.0 };   ///< of boundary nodes and quad centres to phi = 0 [mm]
-  double                        uncoveredDistance{ 0.0 }; ///< of points of phi = 0 to the mesh's boundary [mm]
+  double                        level{ 0.0 };                  ///< of phi, on which the boundary nodes were held [mm]
+  double                        variance{ 0.0 };               ///< mean (measure / target - 1)^2 [1]
+  std::size_t                   concaveCells{ 0 };             ///< with det J <= 0 at a corner
+  std::size_t                   uncertifiedCells{ 0 };         ///< not certified positive in the whole cell
+  double                        largestDistance{ 0.0 };        ///< of boundary nodes and quad centres to phi = 0 [mm]
+  double                        uncoveredDistance{ 0.0 };      ///< of points of phi = 0 to the mesh's boundary [mm]
+  double                        smallestScaledJacobian{ 0.0 }; ///< over the cells [1]
   bool                          exact{ false }; ///< measures equal, every cell certified, boundary within tolerance
   std::vector<std::string>      shortcomings;   ///< what of that was not reached, and by how much; empty when exact
   std::vector<EqualisationStep> steps;
