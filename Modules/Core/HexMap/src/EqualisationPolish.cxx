@@ -53,6 +53,24 @@ between(const EqualisedLattice::State & from, const EqualisedLattice::State & to
 
 } // namespace
 
+bool
+Equaliser::lift(LatticeOptimiser & optimiser, double smallestScaledJacobian, const ProgressCallback & progress)
+{
+  if (m_Lattice.problem().options.polishRounds == 0 || smallestScaledJacobian >= narrowScaledJacobian)
+  {
+    return false;
+  }
+  const Stopwatch stopwatch;
+  const double    goal = std::min(std::max(lowestGoal, 2.0 * smallestScaledJacobian), highestGoal);
+  Eigen::VectorXd x = m_Lattice.vector(optimiser.layout());
+  optimiser.setCornerBarrier(cellsBelow(watchedPartOfGoal * goal, m_Lattice.mesh(), optimiser.layout()), goal, weight);
+  prepareRound(optimiser, x, springGrowth);
+  const LimitedMemoryBfgsResult result = optimiser.minimise(x, stage, smallestDecrease, progress);
+  m_Lattice.take(optimiser, x);
+  log("polish", result.report.steps, result.evaluations, stopwatch, optimiser);
+  return true;
+}
+
 void
 Equaliser::polish(const ProgressCallback & progress)
 {
@@ -72,19 +90,13 @@ Equaliser::polish(const ProgressCallback & progress)
   }
   EqualisedLattice::State kept = m_Lattice.state();
   bool                    isRising = true;
-  for (std::size_t round = 0; round < rounds && isRising && fewest.scaledJacobian < narrowScaledJacobian; ++round)
+  for (std::size_t round = 0; round < rounds && isRising; ++round)
   {
-    const Stopwatch        stopwatch;
     const ProgressCallback ofRound = progressOfPart(progress, round, rounds);
-    const double           goal = std::min(std::max(lowestGoal, 2.0 * fewest.scaledJacobian), highestGoal);
-    Eigen::VectorXd        x = m_Lattice.vector(optimiser.layout());
-    optimiser.setCornerBarrier(
-      cellsBelow(watchedPartOfGoal * goal, m_Lattice.mesh(), optimiser.layout()), goal, weight);
-    prepareRound(optimiser, x, springGrowth);
-    const LimitedMemoryBfgsResult result =
-      optimiser.minimise(x, stage, smallestDecrease, progressBetween(ofRound, 0.0, 0.5));
-    m_Lattice.take(optimiser, x);
-    log("polish", result.report.steps, result.evaluations, stopwatch, optimiser);
+    if (!lift(optimiser, fewest.scaledJacobian, progressBetween(ofRound, 0.0, 0.5)))
+    {
+      break;
+    }
     const EqualisedLattice::State polished = m_Lattice.state();
     isRising = false;
     for (double part = 1.0; part >= smallestPart && !isRising; part *= 0.5)

@@ -148,7 +148,15 @@ Equaliser::finish(const EqualisationStage & lastStage, const ProgressCallback & 
   {
     EqualisedLattice::State minimised = m_Lattice.state();
     LatticeOptimiser        optimiser = m_Lattice.makeOptimiser();
-    first = project(optimiser, progressBetween(progress, 0.2, 0.3));
+    const EqualisationFlaws before = m_Lattice.flaws(optimiser);
+    const bool              isLifted =
+      before.uncertified == 0 && lift(optimiser, before.scaledJacobian, progressBetween(progress, 0.2, 0.23));
+    first = project(optimiser, progressBetween(progress, 0.23, 0.27));
+    if (isLifted && !first.none(limits))
+    {
+      m_Lattice.setState(minimised);
+      first = project(optimiser, progressBetween(progress, 0.27, 0.3));
+    }
     if (first.none(limits))
     {
       return;

@@ -40,8 +40,9 @@ public:
     m_Lattice.resample(nodesPerSide);
   }
 
-  /** From a minimised mesh to an exact one. Most meshes may be projected as they are; where that leaves a flaw the
-   * cells are made much more equal first, which costs more, and repaired after. Keeps the better of the two. */
+  /** From a minimised mesh to an exact one. Most meshes may be projected at once, lifted before, or else as they are;
+   * where that leaves a flaw the cells are made much more equal first, which costs more, and repaired after. Keeps the
+   * better of the two. */
   void
   finish(const EqualisationStage & lastStage, const ProgressCallback & progress);
 
@@ -73,6 +74,11 @@ private:
    * optimiser take up the present level, slopes and volumes. */
   void
   prepareRound(LatticeOptimiser & optimiser, const Eigen::VectorXd & x, double growth) const;
+
+  /** One round of the polish, without the projection: pushes the narrowest corners open. Does nothing and returns false
+   * when the smallest scaled Jacobian is not narrow. */
+  bool
+  lift(LatticeOptimiser & optimiser, double smallestScaledJacobian, const ProgressCallback & progress);
 
   /** Adds a step to the report; returns the flaws of the mesh. */
   EqualisationFlaws

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 using namespace moserhex;
 using namespace moserhex::testing;
@@ -80,6 +81,45 @@ TEST(EqualisationPolish, LiftsTheNarrowestCornerOfAnExactMesh)
   EXPECT_EQ(result.steps[0].name, "polish");
   EXPECT_EQ(result.steps[1].name, "project");
   EXPECT_LE(result.steps[0].iterations, 10);
+}
+
+namespace
+{
+EqualisationResult
+equalisedWithRounds(int rounds, const BentEllipsoid & organ)
+{
+  return equaliseVolumes(organ.lattice(3), organ.distance(), organ.volume(), withRounds(rounds, unpolished(1.0)));
+}
+
+/** Their first letters: minimise, project, polish, repair. */
+std::string
+initialsOfSteps(const EqualisationResult & result)
+{
+  std::string initials;
+  for (const EqualisationStep & step : result.steps)
+  {
+    initials += step.name == "polish" ? 'P' : step.name.front();
+  }
+  return initials;
+}
+} // namespace
+
+TEST(EqualisationPolish, NarrowMeshIsLiftedBeforeItIsProjected)
+{
+  const BentEllipsoid      organ{ Vector3(40.0, 12.0, 14.0) };
+  const EqualisationResult plain = equalisedWithRounds(0, organ);
+  const EqualisationResult lifted = equalisedWithRounds(1, organ);
+  EXPECT_EQ(initialsOfSteps(plain), "mmmmp");
+  EXPECT_EQ(initialsOfSteps(lifted), "mmmmPp");
+  EXPECT_TRUE(plain.exact && lifted.exact);
+  EXPECT_GT(lifted.smallestScaledJacobian, 1.1 * plain.smallestScaledJacobian);
+}
+
+TEST(EqualisationPolish, MeshThatIsNotFlawlessWhenLiftedIsProjectedAsItWas)
+{
+  const BentEllipsoid organ{ Vector3(50.0, 12.0, 14.0), 0.015 };
+  const std::string   steps = initialsOfSteps(equalisedWithRounds(1, organ));
+  EXPECT_NE(steps.find("mPpp"), std::string::npos) << steps;
 }
 
 TEST(EqualisationPolish, MeshWithoutNarrowCornersIsLeftAlone)
