@@ -336,7 +336,9 @@ writeResults(const Arguments & arguments)
        "Written by `moserhex_results DATA Documentation/Results.md --growth` (preset `bench`); do not edit by hand.\n"
        "Data: PI-CAI prostate segmentations (CC BY-NC 4.0, Saha et al., Lancet Oncol 2024) and classic shapes;\n"
        "neither is part of this repository. Volume variance, % concave and scaled Jacobian (SJ) as defined in\n"
-       "`Modules/Core/Quality/README.md`.\n\n";
+       "`Modules/Core/Quality/README.md`. The optimiser behind the exact meshes, next to others: "
+       "[Optimisers.md](Optimisers.md).\n"
+       "Settings were chosen while looking at these fifteen prostates.\n\n";
   std::ostringstream growth;
   if (arguments.growth) // the first to run, as its memory is the process's peak
   {
