@@ -23,7 +23,7 @@ namespace
 {
 
 /** The exit status of a child, or what else became of it; a child that hangs is killed. */
-std::string
+[[maybe_unused]] std::string
 endOf(pid_t child, std::chrono::steady_clock::duration patience)
 {
   const auto deadline = std::chrono::steady_clock::now() + patience;
