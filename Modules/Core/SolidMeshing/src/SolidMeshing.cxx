@@ -2,6 +2,7 @@
 
 #include "BoundaryProjection.h"
 #include "ExactStage.h"
+#include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/LevelSet/ShellOrdering.h"
@@ -315,6 +316,10 @@ meshSolid(const LevelSet &            ordering,
           const SolidMeshingOptions & options,
           const ProgressCallback &    progress)
 {
+  if (options.density != nullptr && options.lastStage != MeshingStage::Exact)
+  {
+    throw InvalidInput("a density needs the last stage Exact");
+  }
   return Chain(ordering, orderedPhi, phi, volume, options, progress).run();
 }
 

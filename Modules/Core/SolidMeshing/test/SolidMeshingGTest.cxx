@@ -238,3 +238,21 @@ TEST(MeshSolid, GridsThatDifferAreRefused)
   solid.ordering.grid.origin[0] += 0.5;
   EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, withShells(3)), InvalidInput);
 }
+
+TEST(MeshSolid, DensityWithoutTheLastStageIsRefused)
+{
+  struct Uniform final : Density
+  {
+    [[nodiscard]] ValueAndGradient
+    at(const Vector3 &) const override
+    {
+      return { 1.0, Vector3::Zero() };
+    }
+  };
+  const OrderedSolid  solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
+  const Uniform       density;
+  SolidMeshingOptions options = withShells(3);
+  options.density = &density;
+  options.lastStage = MeshingStage::Moser;
+  EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, options), InvalidInput);
+}

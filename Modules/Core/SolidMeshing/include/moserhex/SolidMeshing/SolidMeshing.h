@@ -63,7 +63,7 @@ struct SolidMeshingOptions
   EqualisationOptions        equalisation; ///< stage J; its size and thread count are replaced
 
   /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
-   * null: volumes. Only with the last stage Exact. */
+   * null: volumes. Only with the last stage Exact; refused otherwise. */
   const Density * density{ nullptr };
   double          densityAccuracy{ 1e-4 }; ///< of a cell's mass against the mean mass [1]
 
