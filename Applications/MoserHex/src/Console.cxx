@@ -9,6 +9,13 @@
 
 namespace moserhex::app
 {
+namespace
+{
+
+constexpr std::size_t lineLength = 200;
+
+} // namespace
+
 ProgressPrinter::ProgressPrinter(bool quiet) : m_Quiet(quiet), m_Terminal(::isatty(STDOUT_FILENO) == 1)
 {}
 
@@ -52,13 +59,16 @@ ProgressPrinter::clearBar()
 void
 printWarning(const std::string & text)
 {
-  std::fprintf(stderr, "warning: %s\n", oneLine(text, 190).c_str());
+  const std::string begin = "warning: ";
+  std::fprintf(stderr, "%s\n", (begin + oneLine(text, lineLength - begin.size())).c_str());
 }
 
 void
-printError(const std::string & text)
+printError(ErrorCode code, const std::string & text)
 {
-  std::fprintf(stderr, "error: %s\n", oneLine(text, 193).c_str());
+  const std::string end = std::string(" [") + nameOf(code) + "]";
+  const std::string begin = "error: ";
+  std::fprintf(stderr, "%s\n", (begin + oneLine(text, lineLength - begin.size() - end.size()) + end).c_str());
 }
 
 void

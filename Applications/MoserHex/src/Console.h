@@ -1,5 +1,6 @@
 #pragma once
 
+#include "moserhex/Common/ErrorCode.h"
 #include "moserhex/HexMeshIO/RunReport.h"
 
 #include <string>
@@ -30,13 +31,13 @@ private:
   int  m_LastStep{ -1 };
 };
 
-/** One line "warning: ..." on the standard error output. */
+/** One line "warning: ..." of at most 200 characters on the standard error output. */
 void
 printWarning(const std::string & text);
 
-/** One line "error: ..." of at most 200 characters on the standard error output. */
+/** One line "error: ... [E_...]" of at most 200 characters on the standard error output. */
 void
-printError(const std::string & text);
+printError(ErrorCode code, const std::string & text);
 
 /** The quality table, one row per stage, and the total time. */
 void

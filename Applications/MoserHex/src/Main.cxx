@@ -18,16 +18,6 @@ namespace moserhex::app
 namespace
 {
 
-// sysexits.h has a number for the last one; the others are this program's own.
-enum ExitCode
-{
-  done = 0,
-  wrongUsage = 2,
-  badInput = 3,
-  noValidMesh = 4,
-  inputOutputFailed = 74
-};
-
 std::string
 versionText()
 {
@@ -107,42 +97,39 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   const auto unknown = program.remaining();
   if (parsed.empty() && !unknown.empty() && unknown.front().front() != '-')
   {
-    printError("no command " + unknown.front() + ", there are mesh, quality and sample; see moserhex --help");
-    return wrongUsage;
+    printError(ErrorCode::Usage,
+               "no command " + unknown.front() + ", there are mesh, quality and sample; see moserhex --help");
+    return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
-  printError(std::string(error.what()) + "; see moserhex " + command + "--help");
-  return wrongUsage;
+  printError(ErrorCode::Usage, std::string(error.what()) + "; see moserhex " + command + "--help");
+  return exitStatusOf(ErrorCode::Usage);
 }
 
 /** Runs a command and turns what it throws into a line and an exit code. */
 int
 runGuarded(const std::function<void()> & command)
 {
+  const auto fail = [](ErrorCode code, const std::string & message) {
+    printError(code, message);
+    return exitStatusOf(code);
+  };
   try
   {
     command();
-    return done;
+    return EXIT_SUCCESS;
   }
-  catch (const UsageError & error)
+  catch (const Error & error)
   {
-    printError(error.what());
-    return wrongUsage;
+    return fail(error.code(), error.what());
   }
-  catch (const BadInput & error)
+  catch (const std::bad_alloc &)
   {
-    printError(error.what());
-    return badInput;
-  }
-  catch (const IOError & error)
-  {
-    printError(error.what());
-    return inputOutputFailed;
+    return fail(ErrorCode::OutOfMemory, "not enough memory; use fewer shells or crop the image");
   }
   catch (const std::exception & error)
   {
-    printError(error.what());
-    return noValidMesh;
+    return fail(ErrorCode::Internal, std::string(error.what()) + "; please report this");
   }
 }
 
@@ -152,7 +139,9 @@ run(int argc, char ** argv)
   CLI::App program("Volume-preserving structured hexahedral meshes of genus-zero organs", "moserhex");
   program.set_version_flag("--version", versionText());
   program.require_subcommand(1);
-  program.footer("Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 no valid mesh, 74 input or output failed.");
+  program.footer(
+    "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 no valid mesh, 70 a fault of the program, 74 input or "
+    "output failed.");
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
@@ -192,5 +181,5 @@ main(int argc, char ** argv)
 {
   moserhex::app::installSignalHandlers();
   const int code = moserhex::app::run(argc, argv);
-  return std::fflush(stdout) == 0 ? code : 74;
+  return std::fflush(stdout) == 0 ? code : moserhex::exitStatusOf(moserhex::ErrorCode::InputOutput);
 }

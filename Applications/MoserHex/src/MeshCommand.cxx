@@ -42,7 +42,8 @@ requireUsableNames(const MeshCommandOptions & options)
   }
   if (!isLabelImageName(options.input) && !isSurfaceName(options.input))
   {
-    throw BadInput(options.input,
+    throw BadInput(ErrorCode::Format,
+                   options.input,
                    "the name's ending is not that of a labelmap or a surface",
                    "give .nrrd .nii .nii.gz .mha .mhd, or .vtk .vtp .stl .obj .ply .off");
   }
@@ -94,7 +95,7 @@ readInput(const std::string & fileName)
   }
   catch (const InvalidInput & error)
   {
-    throw BadInput(fileName, error.what(), "give a surface of a compact solid");
+    throw BadInput(error.code(), fileName, error.what(), "give a surface of a compact solid");
   }
 }
 
@@ -176,23 +177,28 @@ runPipeline(const LabelImage &         input,
   catch (const itk::InvalidInputError & error)
   {
     const std::string description = descriptionOf(error);
-    if (density != nullptr && description.find("density") != std::string::npos)
+    if (error.GetCode() == ErrorCode::Density)
     {
-      throw BadInput(options.density, description, remedyForDensity(options.density, description));
+      throw BadInput(error.GetCode(), options.density, description, remedyForDensity(options.density, description));
     }
-    throw BadInput(options.input, description, "correct the label in an editor");
+    throw BadInput(error.GetCode(), options.input, description, "correct the label in an editor");
+  }
+  catch (const itk::NotConvergedError & error)
+  {
+    // allow-partial lets a mesh pass that is not exact; it is no help where a stage before that failed.
+    const bool isMeshed = error.GetCode() == ErrorCode::NotExact;
+    throw NoMeshError(error.GetCode(),
+                      options.input,
+                      descriptionOf(error),
+                      isMeshed ? "try other --shells, or --allow-partial" : "try another number of shells");
   }
   catch (const itk::ExceptionObject & error)
   {
-    // allow-partial lets a mesh pass that is not exact; it is no help where a stage before that failed.
-    const std::string description = descriptionOf(error);
-    const bool        isMeshed = description.compare(0, 9, "not exact") == 0;
-    const char *      remedy = isMeshed ? "try other --shells, or --allow-partial" : "try another number of shells";
-    throw NoMeshError(fileMessage(options.input, description, remedy));
+    throw NoMeshError(ErrorCode::Internal, options.input, descriptionOf(error), "please report this");
   }
   catch (const std::bad_alloc &)
   {
-    throw NoMeshError(fileMessage(options.input, "not enough memory", "use fewer shells or crop the image"));
+    throw NoMeshError(ErrorCode::OutOfMemory, options.input, "not enough memory", "use fewer shells or crop the image");
   }
   filter->RemoveAllObservers();
   return filter;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "CommandErrors.h"
+
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace moserhex::app
@@ -23,20 +24,6 @@ struct MeshCommandOptions
   std::string                 shellMethod{ "auto" }; ///< auto | chan-vese | snapshots | eikonal
   unsigned int                threads{ 0 };          ///< 0: all of the machine's
   bool                        quiet{ false };
-};
-
-/** The command line contradicts itself; found before any work. */
-class UsageError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/** No valid mesh came out: a stage did not reach what it promises. */
-class NoMeshError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
 };
 
 /** Meshes one label, writes the mesh and the report, prints the quality table.

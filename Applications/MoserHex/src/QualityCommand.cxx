@@ -54,7 +54,7 @@ compare(const HexCellFile & file, const QualityCommandOptions & options, std::ve
   }
   catch (const InvalidInput & error)
   {
-    throw BadInput(options.mesh, error.what(), "give the mesh and the labelmap it was made from");
+    throw BadInput(error.code(), options.mesh, error.what(), "give the mesh and the labelmap it was made from");
   }
 }
 

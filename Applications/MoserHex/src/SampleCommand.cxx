@@ -18,7 +18,8 @@ makeFolder(const std::string & folder)
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
   {
-    throw IOError(folder, "cannot make the folder (" + error.message() + ")", "choose another place");
+    throw IOError(
+      ErrorCode::CannotCreate, folder, "cannot make the folder (" + error.message() + ")", "choose another place");
   }
 }
 

@@ -77,8 +77,9 @@ requireValid(const ScalarVolume & image, const std::string & what)
   requireValid(static_cast<const VoxelGrid &>(image), what);
   if (image.values.size() != image.gridVoxels())
   {
-    throw InvalidInput(what + ": " + std::to_string(image.values.size()) + " values for " +
-                       std::to_string(image.gridVoxels()) + " voxels");
+    throw InvalidInput(ErrorCode::Density,
+                       what + ": " + std::to_string(image.values.size()) + " values for " +
+                         std::to_string(image.gridVoxels()) + " voxels");
   }
 }
 
@@ -94,8 +95,9 @@ DensityImage::DensityImage(const ScalarVolume & image)
   {
     if (!isDensity(image.values[voxel]))
     {
-      throw InvalidInput("density image: " + describeVoxel(image, voxel, image.values[voxel]) +
-                         ", need positive and finite");
+      throw InvalidInput(ErrorCode::Density,
+                         "density image: " + describeVoxel(image, voxel, image.values[voxel]) +
+                           ", need positive and finite");
     }
   }
   const std::vector<double> coefficients = splineCoefficients(image);

@@ -52,7 +52,7 @@ requireBall(const VoxelTopology & topology, const std::string & labelName)
     message << labelName << ": V-E+F = " << topology.surfaceEulerCharacteristic() << ", need 2 (genus 0); "
             << topology.handles() << (topology.handles() == 1 ? " handle" : " handles")
             << " in the largest 6-connected component with its cavities filled";
-    throw InvalidInput(message.str());
+    throw InvalidInput(ErrorCode::Topology, message.str());
   }
 }
 
@@ -62,7 +62,7 @@ refuseThin(const std::string & labelName, const std::string & finding, double si
   std::ostringstream message;
   message << labelName << ": too thin for a smoothing of sigma " << sigma << " mm (" << finding
           << "); use less smoothing, a finer image, or a larger label";
-  throw InvalidInput(message.str());
+  throw InvalidInput(ErrorCode::Thin, message.str());
 }
 
 bool

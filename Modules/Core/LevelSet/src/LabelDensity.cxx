@@ -139,8 +139,9 @@ requireCovered(const IndexBox & box, const VoxelGrid & image)
   }
   if (!side.empty())
   {
-    throw InvalidInput("density image: does not cover the label, " + describeNumber(missing) +
-                       " mm are missing on its " + side);
+    throw InvalidInput(ErrorCode::Density,
+                       "density image: does not cover the label, " + describeNumber(missing) +
+                         " mm are missing on its " + side);
   }
 }
 
@@ -264,8 +265,9 @@ requirePositive(const ScalarVolume & image, const ImagePart & part, const std::v
   {
     if (overlaps[voxel] != 0 && !isDensity(part.volume.values[voxel]))
     {
-      throw InvalidInput("density image: " + describeInImage(image, part, voxel) +
-                         " in the label, need positive and finite");
+      throw InvalidInput(ErrorCode::Density,
+                         "density image: " + describeInImage(image, part, voxel) +
+                           " in the label, need positive and finite");
     }
   }
 }
@@ -327,8 +329,9 @@ densityOnLabel(const ScalarVolume & image, const LabelVolume & label, unsigned i
   const double mean = meanDensity(solid, DensityImage(part.volume), part.volume, threads);
   if (!isDensity(mean) || !isDensity(1.0 / mean))
   {
-    throw InvalidInput("density image: its mean over the label is " + describeNumber(mean) +
-                       ", too small or too large to divide by");
+    throw InvalidInput(ErrorCode::Density,
+                       "density image: its mean over the label is " + describeNumber(mean) +
+                         ", too small or too large to divide by");
   }
   double smallest = HUGE_VAL;
   double largest = 0.0;
@@ -339,8 +342,9 @@ densityOnLabel(const ScalarVolume & image, const LabelVolume & label, unsigned i
     {
       if (part.volume.values[voxel] < smallestPartOfMean)
       {
-        throw InvalidInput("density image: " + describeInImage(image, part, voxel) +
-                           ", too little beside its mean over the label, " + describeNumber(mean));
+        throw InvalidInput(ErrorCode::Density,
+                           "density image: " + describeInImage(image, part, voxel) +
+                             ", too little beside its mean over the label, " + describeNumber(mean));
       }
       smallest = std::min(smallest, part.volume.values[voxel]);
       largest = std::max(largest, part.volume.values[voxel]);

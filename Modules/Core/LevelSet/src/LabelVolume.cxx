@@ -40,7 +40,7 @@ requireValid(const LabelVolume & label, const std::string & what)
   }
   if (!anyInside(label.inside.data(), label.inside.data() + label.inside.size()))
   {
-    throw InvalidInput(what + ": no voxel has this label");
+    throw InvalidInput(ErrorCode::EmptyLabel, what + ": no voxel has this label");
   }
 }
 

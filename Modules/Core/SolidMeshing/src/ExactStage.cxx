@@ -248,7 +248,7 @@ requireExact(const SolidMeshingOptions & options, SolidMeshingResult & result)
   }
   if (!equalisation.exact && !options.allowPartial)
   {
-    throw NotConverged("not exact: " + all, equalisation.report);
+    throw NotConverged(ErrorCode::NotExact, "not exact: " + all, equalisation.report);
   }
 }
 

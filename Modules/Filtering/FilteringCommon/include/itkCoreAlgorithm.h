@@ -13,21 +13,41 @@
 namespace itk
 {
 
-/** \class InvalidInputError
- * \brief A Core algorithm refused its input (moserhex::InvalidInput); the description says why. */
-class InvalidInputError : public ExceptionObject
+/** \class CoreError
+ * \brief A Core algorithm threw moserhex::Error; the description is its message, and the code is kept. */
+class CoreError : public ExceptionObject
 {
 public:
-  using ExceptionObject::ExceptionObject;
+  CoreError(const char * file, unsigned int line, const moserhex::Error & error, const std::string & where)
+    : ExceptionObject(file, line, error.what(), where.c_str()), m_Code(error.code())
+  {}
+  itkOverrideGetNameOfClassMacro(CoreError);
+
+  moserhex::ErrorCode
+  GetCode() const
+  {
+    return m_Code;
+  }
+
+private:
+  moserhex::ErrorCode m_Code;
+};
+
+/** \class InvalidInputError
+ * \brief A Core algorithm refused its input (moserhex::InvalidInput); the description says why. */
+class InvalidInputError : public CoreError
+{
+public:
+  using CoreError::CoreError;
   itkOverrideGetNameOfClassMacro(InvalidInputError);
 };
 
 /** \class NotConvergedError
  * \brief A Core algorithm did not reach what it promises (moserhex::NotConverged); the description has the numbers. */
-class NotConvergedError : public ExceptionObject
+class NotConvergedError : public CoreError
 {
 public:
-  using ExceptionObject::ExceptionObject;
+  using CoreError::CoreError;
   itkOverrideGetNameOfClassMacro(NotConvergedError);
 };
 
@@ -51,11 +71,11 @@ RunCoreAlgorithm(ProcessObject * filter, TAlgorithm && algorithm, double from = 
   }
   catch (const moserhex::InvalidInput & error)
   {
-    throw InvalidInputError(__FILE__, __LINE__, error.what(), where);
+    throw InvalidInputError(__FILE__, __LINE__, error, where);
   }
   catch (const moserhex::NotConverged & error)
   {
-    throw NotConvergedError(__FILE__, __LINE__, error.what(), where);
+    throw NotConvergedError(__FILE__, __LINE__, error, where);
   }
   catch (const moserhex::Cancelled &)
   {

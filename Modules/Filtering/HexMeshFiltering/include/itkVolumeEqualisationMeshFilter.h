@@ -106,7 +106,8 @@ protected:
       {
         all += (all.empty() ? "not exact: " : "; ") + shortcoming;
       }
-      throw NotConvergedError(__FILE__, __LINE__, all, this->GetNameOfClass());
+      const moserhex::NotConverged error(moserhex::ErrorCode::NotExact, all, m_Result.report);
+      throw NotConvergedError(__FILE__, __LINE__, error, this->GetNameOfClass());
     }
     CopyHexMeshToItk(mesh, this->GetOutput());
   }

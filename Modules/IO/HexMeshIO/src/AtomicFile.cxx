@@ -77,14 +77,17 @@ flushToDisk(const std::string & name, const std::string & reportAs, int flags)
   const int descriptor = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | flags);
   if (descriptor < 0)
   {
-    throw IOError(reportAs, "cannot open the new file (" + reason(errno) + ")", "try again");
+    throw IOError(ErrorCode::InputOutput, reportAs, "cannot open the new file (" + reason(errno) + ")", "try again");
   }
   const int failed = ::fsync(descriptor) == 0 ? 0 : errno;
   ::close(descriptor);
   // File systems that cannot flush a folder say EINVAL; the rename is still atomic there.
   if (failed != 0 && failed != EINVAL)
   {
-    throw IOError(reportAs, "cannot flush to disk (" + reason(failed) + ")", "free some space or check the device");
+    throw IOError(ErrorCode::InputOutput,
+                  reportAs,
+                  "cannot flush to disk (" + reason(failed) + ")",
+                  "free some space or check the device");
   }
 }
 
@@ -96,13 +99,16 @@ AtomicFile::AtomicFile(const std::string & finalName) : m_FinalName(finalName)
   std::error_code ignored;
   if (path.filename().empty() || fs::is_directory(path, ignored))
   {
-    throw IOError(finalName, "is a folder, not a file", "give a file name");
+    throw IOError(ErrorCode::CannotCreate, finalName, "is a folder, not a file", "give a file name");
   }
   m_PartName = partNameOf(path);
   const int descriptor = ::open(m_PartName.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0)
   {
-    throw IOError(finalName, "cannot write there (" + reason(errno) + ")", "choose a writable, existing folder");
+    throw IOError(ErrorCode::CannotCreate,
+                  finalName,
+                  "cannot write there (" + reason(errno) + ")",
+                  "choose a writable, existing folder");
   }
   ::close(descriptor);
   registerUnfinished(m_PartName);
@@ -123,7 +129,10 @@ AtomicFile::commit()
   flushToDisk(m_PartName, m_FinalName, 0);
   if (::rename(m_PartName.c_str(), m_FinalName.c_str()) != 0)
   {
-    throw IOError(m_FinalName, "cannot rename the new file (" + reason(errno) + ")", "check the folder's permissions");
+    throw IOError(ErrorCode::InputOutput,
+                  m_FinalName,
+                  "cannot rename the new file (" + reason(errno) + ")",
+                  "check the folder's permissions");
   }
   m_Committed = true;
   const std::string folder = fs::path(m_FinalName).parent_path().string();
@@ -155,7 +164,10 @@ writeTextFile(const std::string & fileName, const std::string & text)
   }
   if (failed != 0)
   {
-    throw IOError(fileName, "cannot write (" + reason(failed) + ")", "free some space or choose another folder");
+    throw IOError(ErrorCode::InputOutput,
+                  fileName,
+                  "cannot write (" + reason(failed) + ")",
+                  "free some space or choose another folder");
   }
   file.commit();
 }

@@ -19,7 +19,8 @@ constexpr std::size_t bufferSize = 1 << 18;
 [[noreturn]] void
 throwDamaged(const std::string & fileName)
 {
-  throw BadInput(fileName, "the compressed data are cut off or damaged", "copy or export the file again");
+  throw BadInput(
+    ErrorCode::Checksum, fileName, "the compressed data are cut off or damaged", "copy or export the file again");
 }
 
 } // namespace
@@ -28,7 +29,10 @@ GzipFile::GzipFile(const std::string & fileName) : m_FileName(fileName), m_File(
 {
   if (!m_File)
   {
-    throw IOError(fileName, std::string("cannot open (") + std::strerror(errno) + ")", "check the file's permissions");
+    throw IOError(ErrorCode::InputOutput,
+                  fileName,
+                  std::string("cannot open (") + std::strerror(errno) + ")",
+                  "check the file's permissions");
   }
   gzbuffer(m_File, bufferSize);
 }
@@ -70,13 +74,13 @@ inflatedSize(const std::string & fileName, std::uint64_t begin)
   std::ifstream file(fileName, std::ios::binary);
   if (!file || !file.seekg(static_cast<std::streamoff>(begin)))
   {
-    throw IOError(fileName, "cannot read the voxels", "check the file's permissions");
+    throw IOError(ErrorCode::InputOutput, fileName, "cannot read the voxels", "check the file's permissions");
   }
   z_stream stream{};
   // 32: zlib or gzip, told from the stream itself.
   if (inflateInit2(&stream, 15 + 32) != Z_OK)
   {
-    throw IOError(fileName, "not enough memory to decompress", "close other programs");
+    throw IOError(ErrorCode::OutOfMemory, fileName, "not enough memory to decompress", "close other programs");
   }
   std::vector<unsigned char> input(bufferSize);
   std::vector<unsigned char> output(bufferSize);

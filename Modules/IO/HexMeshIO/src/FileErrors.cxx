@@ -1,14 +1,21 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace moserhex
 {
 namespace
 {
 
-// Ten characters less than a line of 200, for the "error: " a command puts before it.
-constexpr std::size_t longestMessage = 190;
+/** What is left of a line of 200 characters when a command has put "error: " before a message and its code behind it.
+ */
+std::size_t
+longestMessage(ErrorCode code)
+{
+  return 200 - std::strlen("error:  []") - std::strlen(nameOf(code));
+}
+
 constexpr std::size_t longestName = 60;
 constexpr std::size_t shortestName = 24;
 constexpr std::size_t longestRemedy = 80;
@@ -73,21 +80,17 @@ oneLine(const std::string & text, std::size_t length)
 }
 
 std::string
-fileMessage(const std::string & file, const std::string & cause, const std::string & remedy)
+fileMessage(const std::string & file, const std::string & cause, const std::string & remedy, std::size_t longest)
 {
   const std::string cure = oneLine(remedy, longestRemedy);
-  const std::size_t rest = longestMessage - cure.size() - 4; // of name and cause
+  const std::size_t rest = longest - cure.size() - 4; // of name and cause
   const std::size_t left = rest > cause.size() ? rest - cause.size() : 0;
   const std::string name = keepEnd(withoutControlCharacters(file), std::min(longestName, std::max(shortestName, left)));
   return name + ": " + oneLine(cause, rest - name.size()) + "; " + cure;
 }
 
-BadInput::BadInput(const std::string & file, const std::string & cause, const std::string & remedy)
-  : Error(fileMessage(file, cause, remedy))
-{}
-
-IOError::IOError(const std::string & file, const std::string & cause, const std::string & remedy)
-  : Error(fileMessage(file, cause, remedy))
+FileError::FileError(ErrorCode code, const std::string & file, const std::string & cause, const std::string & remedy)
+  : Error(code, fileMessage(file, cause, remedy, longestMessage(code)))
 {}
 
 } // namespace moserhex

@@ -23,7 +23,7 @@ FileText::FileText(const std::string & fileName, std::string remedy, char commen
   m_Text.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   if (file.bad())
   {
-    throw IOError(fileName, "reading failed", "check the disk");
+    throw IOError(ErrorCode::InputOutput, fileName, "reading failed", "check the disk");
   }
 }
 
@@ -81,7 +81,7 @@ FileText::requireRoom(std::size_t count, std::size_t bytesEach, const char * wha
 void
 FileText::refuse(const std::string & cause) const
 {
-  throw BadInput(m_FileName, cause, m_Remedy);
+  throw BadInput(ErrorCode::NotHexahedra, m_FileName, cause, m_Remedy);
 }
 
 void

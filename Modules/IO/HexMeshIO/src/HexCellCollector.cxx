@@ -96,7 +96,7 @@ HexCellCollector::finish()
 void
 HexCellCollector::refuse(const std::string & cause) const
 {
-  throw BadInput(m_FileName, cause, "export a mesh of 8-node hexahedra again");
+  throw BadInput(ErrorCode::NotHexahedra, m_FileName, cause, "export a mesh of 8-node hexahedra again");
 }
 
 void

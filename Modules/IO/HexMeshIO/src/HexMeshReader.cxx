@@ -11,13 +11,14 @@ readHexMesh(const std::string & fileName)
 {
   if (!endsWithAny(fileName, { ".vtu", ".vtk" }))
   {
-    throw BadInput(fileName, "not a mesh file's name", "give a .vtu or .vtk file");
+    throw BadInput(ErrorCode::Usage, fileName, "not a mesh file's name", "give a .vtu or .vtk file");
   }
   const HexCellFile file = readHexCells(fileName);
   auto              mesh = asLattice(file.mesh);
   if (!mesh)
   {
-    throw BadInput(fileName,
+    throw BadInput(ErrorCode::NotHexahedra,
+                   fileName,
                    std::to_string(file.mesh.nodes.size()) + " nodes and " + std::to_string(file.mesh.cells.size()) +
                      " cells that do not connect as a lattice of n^3 and (n-1)^3 does",
                    "give a mesh written by moserhex");

@@ -208,7 +208,10 @@ runWriter(TWriter & writer, const std::string & finalName)
                                  ? std::strerror(static_cast<int>(code))
                                  : "VTK error " + std::to_string(code);
     const std::string detail = messages.firstError().empty() ? reason : messages.firstError();
-    throw IOError(finalName, "cannot write the mesh (" + detail + ")", "free some space or choose another folder");
+    throw IOError(ErrorCode::InputOutput,
+                  finalName,
+                  "cannot write the mesh (" + detail + ")",
+                  "free some space or choose another folder");
   }
 }
 
@@ -264,7 +267,10 @@ requireSame(const AtomicFile & file, const HexMesh & mesh)
   {
     // Reported below, under the file's own name.
   }
-  throw IOError(file.finalName(), "the mesh reads back differently", "free some space or choose another folder");
+  throw IOError(ErrorCode::InputOutput,
+                file.finalName(),
+                "the mesh reads back differently",
+                "free some space or choose another folder");
 }
 
 } // namespace
@@ -283,7 +289,8 @@ writeHexMesh(const std::string &          fileName,
 {
   if (!isHexMeshName(fileName))
   {
-    throw BadInput(fileName, "meshes are written as VTK files", "give a name that ends with .vtu or .vtk");
+    throw BadInput(
+      ErrorCode::Usage, fileName, "meshes are written as VTK files", "give a name that ends with .vtu or .vtk");
   }
   const auto grid = makeGrid(mesh, fields, checkedVolumeRatios(mesh, fields));
   AtomicFile file(fileName);

@@ -34,7 +34,8 @@ formatOf(const std::string & fileName)
   {
     return ImageFormat::Meta;
   }
-  throw BadInput(fileName, "not the name of an image", "give a .nrrd, .nii, .nii.gz, .mha or .mhd file");
+  throw BadInput(
+    ErrorCode::Format, fileName, "not the name of an image", "give a .nrrd, .nii, .nii.gz, .mha or .mhd file");
 }
 
 /** The one reader for a format: no factory, so no other parser ever sees the file. */
@@ -60,24 +61,27 @@ requireScalarVolume(const std::string & fileName, const itk::ImageIOBase & reade
   {
     if (reader.GetDimensions(axis) != 1)
     {
-      throw BadInput(fileName,
+      throw BadInput(ErrorCode::Dimension,
+                     fileName,
                      "a " + std::to_string(reader.GetNumberOfDimensions()) + "-D image, need a 3-D one",
                      "export one 3-D volume");
     }
   }
   if (reader.GetNumberOfDimensions() < 3)
   {
-    throw BadInput(fileName, "a 2-D image, need a 3-D one", "export one 3-D volume");
+    throw BadInput(ErrorCode::Dimension, fileName, "a 2-D image, need a 3-D one", "export one 3-D volume");
   }
   if (reader.GetNumberOfComponents() != 1)
   {
-    throw BadInput(fileName,
+    throw BadInput(ErrorCode::PixelType,
+                   fileName,
                    std::to_string(reader.GetNumberOfComponents()) + " values per voxel, need one",
                    "export one number per voxel");
   }
   if (static_cast<std::size_t>(reader.GetImageSizeInPixels()) > mostVoxels)
   {
-    throw BadInput(fileName,
+    throw BadInput(ErrorCode::TooBig,
+                   fileName,
                    std::to_string(reader.GetImageSizeInPixels()) + " voxels, at most " + std::to_string(mostVoxels),
                    "crop the image around the label");
   }
@@ -89,13 +93,14 @@ orthonormalDirection(const std::string & fileName, const Matrix3 & direction)
 {
   if (!direction.allFinite())
   {
-    throw BadInput(fileName, "the direction matrix is not finite", "correct the header");
+    throw BadInput(ErrorCode::Geometry, fileName, "the direction matrix is not finite", "correct the header");
   }
   const Eigen::JacobiSVD<Matrix3> svd(direction, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double                    deviation = (svd.singularValues().array() - 1.0).abs().maxCoeff();
   if (!(deviation <= 1e-3))
   {
-    throw BadInput(fileName,
+    throw BadInput(ErrorCode::Geometry,
+                   fileName,
                    "the image axes are not at right angles (direction matrix off by " + std::to_string(deviation) + ")",
                    "resample the image to a rectangular grid");
   }
@@ -122,7 +127,8 @@ gridOf(const std::string & fileName, const itk::ImageIOBase & reader)
     const double spacing = reader.GetSpacing(axis);
     if (!(spacing >= 1e-3 && spacing <= 1e3))
     {
-      throw BadInput(fileName,
+      throw BadInput(ErrorCode::Geometry,
+                     fileName,
                      "voxel size " + std::to_string(spacing) + " mm along axis " + std::to_string(axis + 1) +
                        ", need 0.001 to 1000",
                      "correct the header's spacing");
@@ -130,7 +136,8 @@ gridOf(const std::string & fileName, const itk::ImageIOBase & reader)
     grid.spacing[axis] = withoutRoundOff(spacing);
     if (!(std::abs(grid.origin[axis]) <= 1e6))
     {
-      throw BadInput(fileName, "the origin is not finite or above 1e6 mm", "correct the header's origin");
+      throw BadInput(
+        ErrorCode::Geometry, fileName, "the origin is not finite or above 1e6 mm", "correct the header's origin");
     }
     const std::vector<double> column = reader.GetDirection(axis);
     grid.direction.col(axis) = Vector3(column[0], column[1], column[2]);

@@ -51,11 +51,12 @@ withImageErrors(const std::string & fileName, const TRead & read)
   }
   catch (const std::bad_alloc &)
   {
-    throw BadInput(fileName, "not enough memory for the image", "crop the image around the label");
+    throw BadInput(ErrorCode::TooBig, fileName, "not enough memory for the image", "crop the image around the label");
   }
   catch (const std::exception & error)
   {
-    throw BadInput(fileName, firstLine(error.what()), "export the image again, for example as .nrrd");
+    throw BadInput(
+      ErrorCode::PixelType, fileName, firstLine(error.what()), "export the image again, for example as .nrrd");
   }
 }
 
@@ -98,7 +99,8 @@ withVoxels(const ImageFile & file, const TBody & body)
     case Component::DOUBLE:
       return readAs(0.0);
     default:
-      throw BadInput(file.name, "an unknown voxel type", "export one integer or real number per voxel");
+      throw BadInput(
+        ErrorCode::PixelType, file.name, "an unknown voxel type", "export one integer or real number per voxel");
   }
 }
 

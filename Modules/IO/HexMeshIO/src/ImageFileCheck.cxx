@@ -20,19 +20,22 @@ requireReadableFile(const std::string & fileName)
   const auto      status = fs::status(fileName, error);
   if (!fs::exists(status))
   {
-    throw BadInput(fileName, "there is no such file", "check the name");
+    throw BadInput(ErrorCode::NoInput, fileName, "there is no such file", "check the name");
   }
   if (!fs::is_regular_file(status))
   {
-    throw BadInput(fileName, "is not a regular file", "give a file");
+    throw BadInput(ErrorCode::NoInput, fileName, "is not a regular file", "give a file");
   }
   if (!std::ifstream(fileName, std::ios::binary))
   {
-    throw IOError(fileName, std::string("cannot open (") + std::strerror(errno) + ")", "check the file's permissions");
+    throw IOError(ErrorCode::InputOutput,
+                  fileName,
+                  std::string("cannot open (") + std::strerror(errno) + ")",
+                  "check the file's permissions");
   }
   if (fs::file_size(fileName) == 0)
   {
-    throw BadInput(fileName, "the file is empty (0 bytes)", copyAgain);
+    throw BadInput(ErrorCode::Empty, fileName, "the file is empty (0 bytes)", copyAgain);
   }
 }
 

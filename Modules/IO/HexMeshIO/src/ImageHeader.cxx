@@ -63,7 +63,10 @@ promisedBytes(const std::string & file, const std::vector<std::string> & sizes, 
 {
   if (sizes.size() != 3)
   {
-    throw BadInput(file, "the header gives " + std::to_string(sizes.size()) + " sizes, need 3", exportScalarVolume);
+    throw BadInput(ErrorCode::NotHexahedra,
+                   file,
+                   "the header gives " + std::to_string(sizes.size()) + " sizes, need 3",
+                   exportScalarVolume);
   }
   std::uint64_t bytes = bytesPerVoxel;
   for (const std::string & size : sizes)
@@ -71,7 +74,7 @@ promisedBytes(const std::string & file, const std::vector<std::string> & sizes, 
     const auto count = parseCount(size);
     if (!count || *count == 0 || *count > 1'000'000 || bytes > sizeLimit / *count)
     {
-      throw BadInput(file, "the header gives an impossible size (" + size + ")", exportScalarVolume);
+      throw BadInput(ErrorCode::TooBig, file, "the header gives an impossible size (" + size + ")", exportScalarVolume);
     }
     bytes *= *count;
   }
@@ -83,7 +86,8 @@ requireData(const std::string & file, std::uint64_t promised, std::uint64_t pres
 {
   if (present < promised)
   {
-    throw BadInput(file,
+    throw BadInput(ErrorCode::Truncated,
+                   file,
                    "the file ends early: " + std::to_string(promised) + " bytes of voxels promised, " +
                      std::to_string(present) + " found",
                    copyAgain);
@@ -102,7 +106,10 @@ requireNumbers(const std::string & file, const std::string & what, std::string t
     const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value) || std::abs(value) > 1e9)
     {
-      throw BadInput(file, what + " holds '" + word.substr(0, 20) + "'", "correct the header or export the file again");
+      throw BadInput(ErrorCode::NotHexahedra,
+                     file,
+                     what + " holds '" + word.substr(0, 20) + "'",
+                     "correct the header or export the file again");
     }
   }
 }

@@ -74,7 +74,8 @@ copyLabels(const std::string & fileName, const std::vector<TVoxel> & voxels, Lab
     const std::optional<LabelValue> label = asLabel(voxels[voxel]);
     if (!label)
     {
-      throw BadInput(fileName,
+      throw BadInput(ErrorCode::Labels,
+                     fileName,
                      "voxel " + std::to_string(voxel) + " holds " + textOf(voxels[voxel]) +
                        ", which is not a label (a whole number of 32 bits)",
                      "save integer labels, not probabilities or intensities");
@@ -99,7 +100,8 @@ countLabels(const std::string & fileName, const LabelImageType & image)
     counts[*run] += static_cast<std::size_t>(voxel - run);
     if (counts.size() > mostLabels)
     {
-      throw BadInput(fileName,
+      throw BadInput(ErrorCode::Labels,
+                     fileName,
                      "more than " + std::to_string(mostLabels) + " different values: an image, not a labelmap",
                      "give the segmentation");
     }
@@ -114,7 +116,8 @@ countLabels(const std::string & fileName, const LabelImageType & image)
   }
   if (labels.empty())
   {
-    throw BadInput(fileName, "no voxel differs from 0", "give a labelmap with at least one label");
+    throw BadInput(
+      ErrorCode::EmptyLabel, fileName, "no voxel differs from 0", "give a labelmap with at least one label");
   }
   return labels;
 }
@@ -185,6 +188,7 @@ chooseLabel(const LabelImage & image, const std::optional<LabelValue> & wanted)
     list += label.name.empty() ? "" : " (" + label.name + ")";
   }
   throw BadInput(
+    ErrorCode::Labels,
     image.fileName,
     (wanted ? "no label " + std::to_string(*wanted) + ", it has " : std::to_string(image.labels.size()) + " labels: ") +
       list,

@@ -48,7 +48,8 @@ requireSame(const std::string & fileName, const std::string & partName, const La
                          frame.direction.isApprox(labels.direction, 1e-6);
   if (!samePlace || !std::equal(labels.inside.begin(), labels.inside.end(), read.image->GetBufferPointer()))
   {
-    throw IOError(fileName, "the file reads back differently", "free some space or choose another folder");
+    throw IOError(
+      ErrorCode::InputOutput, fileName, "the file reads back differently", "free some space or choose another folder");
   }
 }
 
@@ -59,7 +60,7 @@ writeLabelImage(const std::string & fileName, const LabelVolume & labels)
 {
   if (!endsWith(fileName, ".nrrd"))
   {
-    throw BadInput(fileName, "labelmaps are written as NRRD", "give a name that ends with .nrrd");
+    throw BadInput(ErrorCode::Usage, fileName, "labelmaps are written as NRRD", "give a name that ends with .nrrd");
   }
   AtomicFile file(fileName);
   try
@@ -73,7 +74,8 @@ writeLabelImage(const std::string & fileName, const LabelVolume & labels)
   }
   catch (const std::exception & error)
   {
-    throw IOError(fileName,
+    throw IOError(ErrorCode::InputOutput,
+                  fileName,
                   std::string("cannot write the labelmap (") + error.what() + ")",
                   "free some space or choose another folder");
   }

@@ -42,7 +42,10 @@ requireHonestKeywords(const std::string & fileName)
     {
       if (words[word].size() > 12 || std::stoull(words[word]) > bytes.size() / 2)
       {
-        throw BadInput(fileName, "the header promises more than the file holds: " + line.substr(0, 60), copyAgain);
+        throw BadInput(ErrorCode::Truncated,
+                       fileName,
+                       "the header promises more than the file holds: " + line.substr(0, 60),
+                       copyAgain);
       }
     }
   }

@@ -45,19 +45,22 @@ readMetaHeader(const std::string & file)
       line += static_cast<char>(c);
       if (line.size() > longestMetaLine || c == 0)
       {
-        throw BadInput(file, "the content is not a MetaImage header", "check that this is a .mha or .mhd file");
+        throw BadInput(
+          ErrorCode::Format, file, "the content is not a MetaImage header", "check that this is a .mha or .mhd file");
       }
       continue;
     }
     const auto equals = line.find('=');
     if (equals == std::string::npos)
     {
-      throw BadInput(file, "header line '" + line.substr(0, 30) + "' has no '='", "correct the header");
+      throw BadInput(
+        ErrorCode::NotHexahedra, file, "header line '" + line.substr(0, 30) + "' has no '='", "correct the header");
     }
     const std::string key = trimmed(line.substr(0, equals));
     if (!header.fields.emplace(key, trimmed(line.substr(equals + 1))).second)
     {
-      throw BadInput(file, "the header gives " + key.substr(0, 30) + " twice", "correct the header");
+      throw BadInput(
+        ErrorCode::Truncated, file, "the header gives " + key.substr(0, 30) + " twice", "correct the header");
     }
     if (key == "ElementDataFile")
     {
@@ -65,7 +68,7 @@ readMetaHeader(const std::string & file)
     }
     line.clear();
   }
-  throw BadInput(file, "the header ends early (no ElementDataFile)", copyAgain);
+  throw BadInput(ErrorCode::Truncated, file, "the header ends early (no ElementDataFile)", copyAgain);
 }
 
 std::uint64_t
@@ -79,7 +82,10 @@ metaBytesPerVoxel(const std::string & file, const std::string & type)
   const auto entry = sizes.find(type);
   if (entry == sizes.end())
   {
-    throw BadInput(file, "ElementType is '" + type.substr(0, 30) + "'", "export integer labels, one per voxel");
+    throw BadInput(ErrorCode::Unsupported,
+                   file,
+                   "ElementType is '" + type.substr(0, 30) + "'",
+                   "export integer labels, one per voxel");
   }
   return entry->second;
 }
@@ -96,7 +102,8 @@ metaDataFile(const std::string & file, const std::string & name)
                      wordsOf(name).size() == 1 && name[0] != '.';
   if (!plain)
   {
-    throw BadInput(file,
+    throw BadInput(ErrorCode::Reference,
+                   file,
                    "ElementDataFile is '" + name.substr(0, 40) + "', need LOCAL or one plain file name beside it",
                    "convert the image to .mha");
   }
@@ -114,21 +121,31 @@ checkMetaFile(const std::string & file)
   const std::string objectType = header.get("ObjectType");
   if (!objectType.empty() && objectType != "Image")
   {
-    throw BadInput(file, "ObjectType is '" + objectType.substr(0, 20) + "', need Image", exportScalarVolume);
+    throw BadInput(
+      ErrorCode::Unsupported, file, "ObjectType is '" + objectType.substr(0, 20) + "', need Image", exportScalarVolume);
   }
   const std::string headerSize = header.get("HeaderSize");
   if (!headerSize.empty() && headerSize != "0")
   {
-    throw BadInput(file, "HeaderSize is " + headerSize.substr(0, 20) + ", need none", "convert the image to .mha");
+    throw BadInput(ErrorCode::Dimension,
+                   file,
+                   "HeaderSize is " + headerSize.substr(0, 20) + ", need none",
+                   "convert the image to .mha");
   }
   if (header.get("NDims") != "3")
   {
-    throw BadInput(file, "NDims is '" + header.get("NDims").substr(0, 20) + "', need a 3-D image", exportScalarVolume);
+    throw BadInput(ErrorCode::Dimension,
+                   file,
+                   "NDims is '" + header.get("NDims").substr(0, 20) + "', need a 3-D image",
+                   exportScalarVolume);
   }
   const std::string channels = header.get("ElementNumberOfChannels");
   if (!channels.empty() && channels != "1")
   {
-    throw BadInput(file, channels.substr(0, 10) + " values per voxel, need a scalar image", exportScalarVolume);
+    throw BadInput(ErrorCode::PixelType,
+                   file,
+                   channels.substr(0, 10) + " values per voxel, need a scalar image",
+                   exportScalarVolume);
   }
   for (const char * key : { "ElementSpacing",
                             "ElementSize",
@@ -149,17 +166,18 @@ checkMetaFile(const std::string & file)
   const std::uint64_t present = fs::file_size(dataFile) - begin;
   if (lowerCase(header.get("BinaryData")) == "false")
   {
-    throw BadInput(file, "the voxels are written as text", "save the image as binary .mha or .nrrd");
+    throw BadInput(
+      ErrorCode::Unsupported, file, "the voxels are written as text", "save the image as binary .mha or .nrrd");
   }
   if (lowerCase(header.get("CompressedData")) == "true")
   {
     if (header.get("CompressedDataSize").empty())
     {
-      throw BadInput(file, "CompressedDataSize is missing", copyAgain);
+      throw BadInput(ErrorCode::Truncated, file, "CompressedDataSize is missing", copyAgain);
     }
     if (promised / deflateLimit > present)
     {
-      throw BadInput(file, "the header promises more voxels than the file can hold", copyAgain);
+      throw BadInput(ErrorCode::Truncated, file, "the header promises more voxels than the file can hold", copyAgain);
     }
     requireData(file, promised, inflatedSize(dataFile, begin));
   }

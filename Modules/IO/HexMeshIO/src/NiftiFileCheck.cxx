@@ -28,7 +28,8 @@ public:
     m_Swap = integer<std::int32_t>(0) != 348;
     if (integer<std::int32_t>(0) != 348 || std::memcmp(m_Bytes.data() + 344, "n+1", 4) != 0)
     {
-      throw BadInput(file, "the content is not NIfTI-1 in one file", "export the image as .nii.gz or .nrrd");
+      throw BadInput(
+        ErrorCode::Format, file, "the content is not NIfTI-1 in one file", "export the image as .nii.gz or .nrrd");
     }
   }
 
@@ -72,7 +73,10 @@ niftiPromisedBytes(const std::string & file, const NiftiHeader & header)
   const int dimensions = header.integer<std::int16_t>(40);
   if (dimensions < 1 || dimensions > 7)
   {
-    throw BadInput(file, "the header gives " + std::to_string(dimensions) + " dimensions", exportScalarVolume);
+    throw BadInput(ErrorCode::NotHexahedra,
+                   file,
+                   "the header gives " + std::to_string(dimensions) + " dimensions",
+                   exportScalarVolume);
   }
   std::vector<std::string> sizes;
   for (int axis = 1; axis <= dimensions; ++axis)
@@ -84,7 +88,8 @@ niftiPromisedBytes(const std::string & file, const NiftiHeader & header)
     }
     else if (count != 1)
     {
-      throw BadInput(file,
+      throw BadInput(ErrorCode::Dimension,
+                     file,
                      "a " + std::to_string(dimensions) + "-D image (axis " + std::to_string(axis) + " has size " +
                        std::to_string(count) + "), need a 3-D image",
                      exportScalarVolume);
@@ -98,7 +103,8 @@ niftiPromisedBytes(const std::string & file, const NiftiHeader & header)
   const auto                      entry = bytesOfType.find(type);
   if (entry == bytesOfType.end() || bits != 8 * entry->second)
   {
-    throw BadInput(file,
+    throw BadInput(ErrorCode::PixelType,
+                   file,
                    "data type " + std::to_string(type) + " with " + std::to_string(bits) +
                      " bits per voxel is not a scalar image",
                    exportScalarVolume);
@@ -123,8 +129,10 @@ requireNiftiGeometry(const std::string & file, const NiftiHeader & header)
   {
     if (!(std::abs(header.real(offset)) < 1e9))
     {
-      throw BadInput(
-        file, "the header's geometry holds a number that is not finite or above 1e9", "correct the header");
+      throw BadInput(ErrorCode::Geometry,
+                     file,
+                     "the header's geometry holds a number that is not finite or above 1e9",
+                     "correct the header");
     }
   }
   for (std::size_t axis = 1; axis <= 3; ++axis)
@@ -132,7 +140,8 @@ requireNiftiGeometry(const std::string & file, const NiftiHeader & header)
     const double spacing = header.real(76 + 4 * axis);
     if (!(spacing > 0.0))
     {
-      throw BadInput(file,
+      throw BadInput(ErrorCode::Geometry,
+                     file,
                      "voxel size " + std::to_string(spacing) + " along axis " + std::to_string(axis),
                      "set pixdim to the voxel size in mm");
     }
@@ -145,7 +154,7 @@ readHeader(const std::string & file, GzipFile & source)
   std::array<char, NiftiHeader::size> bytes{};
   if (source.read(bytes.data(), bytes.size()) != bytes.size())
   {
-    throw BadInput(file, "the file ends within its header", copyAgain);
+    throw BadInput(ErrorCode::Truncated, file, "the file ends within its header", copyAgain);
   }
   return NiftiHeader(file, bytes);
 }
@@ -180,11 +189,12 @@ checkNiftiFile(const std::string & file)
   const double        offset = header.real(108);
   if (!(offset >= 352.0 && offset <= 1e7))
   {
-    throw BadInput(file, "data offset " + std::to_string(offset) + ", need 352 or more", "correct the header");
+    throw BadInput(
+      ErrorCode::Truncated, file, "data offset " + std::to_string(offset) + ", need 352 or more", "correct the header");
   }
   if (voxelBytes / deflateLimit > fs::file_size(file))
   {
-    throw BadInput(file, "the header promises more voxels than the file can hold", copyAgain);
+    throw BadInput(ErrorCode::Truncated, file, "the header promises more voxels than the file can hold", copyAgain);
   }
   const auto          begin = static_cast<std::uint64_t>(offset);
   const std::uint64_t total = NiftiHeader::size + source.skipToEnd();

@@ -65,7 +65,8 @@ nrrdBytesPerVoxel(const std::string & file, const std::string & type)
   const auto                                        entry = sizes.find(lowerCase(type));
   if (entry == sizes.end())
   {
-    throw BadInput(file, "voxel type '" + type.substr(0, 30) + "'", "export integer labels, one per voxel");
+    throw BadInput(
+      ErrorCode::PixelType, file, "voxel type '" + type.substr(0, 30) + "'", "export integer labels, one per voxel");
   }
   return entry->second;
 }
@@ -90,7 +91,8 @@ readNrrdHeader(const std::string & file)
       line += static_cast<char>(c);
       if (line.size() > longestHeader)
       {
-        throw BadInput(file, "a header line of more than 1 MB", "check that this is a NRRD file");
+        throw BadInput(
+          ErrorCode::NotHexahedra, file, "a header line of more than 1 MB", "check that this is a NRRD file");
       }
     }
     header.bytes = stream ? static_cast<std::uint64_t>(stream.tellg()) : header.bytes;
@@ -102,7 +104,7 @@ readNrrdHeader(const std::string & file)
   };
   if (!nextLine() || line.compare(0, 7, "NRRD000") != 0 || line.size() != 8)
   {
-    throw BadInput(file, "the content is not NRRD", "check that the name's ending fits the format");
+    throw BadInput(ErrorCode::Format, file, "the content is not NRRD", "check that the name's ending fits the format");
   }
   while (nextLine() && !line.empty())
   {
@@ -113,7 +115,10 @@ readNrrdHeader(const std::string & file)
     }
     if (colon == std::string::npos || line.size() > longestNrrdField)
     {
-      throw BadInput(file, "header line '" + line.substr(0, 30) + "' is not a NRRD field", "correct the header");
+      throw BadInput(ErrorCode::NotHexahedra,
+                     file,
+                     "header line '" + line.substr(0, 30) + "' is not a NRRD field",
+                     "correct the header");
     }
     header.fields[lowerCase(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
   }
@@ -129,13 +134,15 @@ checkNrrdFile(const std::string & file)
   std::map<std::string, std::string> & fields = header.fields;
   if (fields["dimension"] != "3")
   {
-    throw BadInput(file,
+    throw BadInput(ErrorCode::Dimension,
+                   file,
                    "dimension " + fields["dimension"].substr(0, 20) + ", need a 3-D image",
                    "export one segment, or segments that do not overlap");
   }
   if (fields.count("data file") + fields.count("datafile") > 0)
   {
-    throw BadInput(file, "the voxels are in another file", "convert to a .nrrd that holds its own data");
+    throw BadInput(
+      ErrorCode::Reference, file, "the voxels are in another file", "convert to a .nrrd that holds its own data");
   }
   for (const char * key : { "space directions", "space origin", "spacings" })
   {
@@ -145,7 +152,8 @@ checkNrrdFile(const std::string & file)
   {
     if (unit != "\"mm\"" && unit != "\"\"")
     {
-      throw BadInput(file, "space units " + unit.substr(0, 20), "convert the image to millimetres");
+      throw BadInput(
+        ErrorCode::Geometry, file, "space units " + unit.substr(0, 20), "convert the image to millimetres");
     }
   }
   const std::uint64_t promised = promisedBytes(file, wordsOf(fields["sizes"]), nrrdBytesPerVoxel(file, fields["type"]));
@@ -153,7 +161,10 @@ checkNrrdFile(const std::string & file)
   {
     if (!fields[key].empty() && fields[key] != "0")
     {
-      throw BadInput(file, std::string(key) + " " + fields[key].substr(0, 20), "save the image as plain .nrrd");
+      throw BadInput(ErrorCode::Unsupported,
+                     file,
+                     std::string(key) + " " + fields[key].substr(0, 20),
+                     "save the image as plain .nrrd");
     }
   }
   const std::string   encoding = lowerCase(fields["encoding"]);
@@ -166,13 +177,14 @@ checkNrrdFile(const std::string & file)
   {
     if (promised / deflateLimit > present)
     {
-      throw BadInput(file, "the header promises more voxels than the file can hold", copyAgain);
+      throw BadInput(ErrorCode::Truncated, file, "the header promises more voxels than the file can hold", copyAgain);
     }
     requireData(file, promised, inflatedSize(file, header.bytes));
   }
   else
   {
-    throw BadInput(file, "encoding '" + encoding.substr(0, 20) + "'", "save the image as raw or gzip NRRD");
+    throw BadInput(
+      ErrorCode::Unsupported, file, "encoding '" + encoding.substr(0, 20) + "'", "save the image as raw or gzip NRRD");
   }
   return {};
 }

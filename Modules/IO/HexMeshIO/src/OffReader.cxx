@@ -12,7 +12,8 @@ readOff(const std::string & fileName)
   const std::string_view magic = text.nextWord();
   if (magic != "OFF" && magic != "COFF")
   {
-    throw BadInput(fileName, "the content is not OFF", "check that the name's ending fits the format");
+    throw BadInput(
+      ErrorCode::Format, fileName, "the content is not OFF", "check that the name's ending fits the format");
   }
   const auto vertices = text.nextNumber<std::size_t>("the number of vertices");
   const auto triangles = text.nextNumber<std::size_t>("the number of triangles");
@@ -35,8 +36,10 @@ readOff(const std::string & fileName)
     const int corners = text.nextNumber<int>("the number of corners");
     if (corners != 3)
     {
-      throw BadInput(
-        fileName, "a polygon with " + std::to_string(corners) + " corners, need triangles", "triangulate the surface");
+      throw BadInput(ErrorCode::Unsupported,
+                     fileName,
+                     "a polygon with " + std::to_string(corners) + " corners, need triangles",
+                     "triangulate the surface");
     }
     for (VertexIndex & vertex : triangle)
     {

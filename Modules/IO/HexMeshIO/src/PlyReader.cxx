@@ -69,7 +69,7 @@ public:
   [[noreturn]] void
   fail(const std::string & cause) const
   {
-    throw BadInput(m_FileName, cause, "export the surface again");
+    throw BadInput(ErrorCode::NotHexahedra, m_FileName, cause, "export the surface again");
   }
 
   [[nodiscard]] std::size_t

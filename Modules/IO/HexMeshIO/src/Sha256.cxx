@@ -126,7 +126,10 @@ sha256OfFile(const std::string & fileName)
   const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(fileName.c_str(), "rb"), &std::fclose);
   if (!file)
   {
-    throw IOError(fileName, std::string("cannot open (") + std::strerror(errno) + ")", "check name and permissions");
+    throw IOError(ErrorCode::InputOutput,
+                  fileName,
+                  std::string("cannot open (") + std::strerror(errno) + ")",
+                  "check name and permissions");
   }
   Sha256            hash;
   std::vector<char> buffer(1 << 16);
@@ -137,7 +140,7 @@ sha256OfFile(const std::string & fileName)
   }
   if (std::ferror(file.get()))
   {
-    throw IOError(fileName, "cannot read to the end", "check the device");
+    throw IOError(ErrorCode::InputOutput, fileName, "cannot read to the end", "check the device");
   }
   return hash.hexDigest();
 }

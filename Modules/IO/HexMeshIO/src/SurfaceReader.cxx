@@ -48,7 +48,7 @@ trianglesOf(const std::string & fileName, vtkPolyData & data)
   }
   if (data.GetStrips() && data.GetStrips()->GetNumberOfCells() > 0)
   {
-    throw BadInput(fileName, "triangle strips, need triangles", "triangulate the surface");
+    throw BadInput(ErrorCode::Unsupported, fileName, "triangle strips, need triangles", "triangulate the surface");
   }
   vtkNew<vtkIdList> corners;
   vtkCellArray *    polygons = data.GetPolys();
@@ -57,7 +57,8 @@ trianglesOf(const std::string & fileName, vtkPolyData & data)
     polygons->GetCellAtId(cell, corners);
     if (corners->GetNumberOfIds() != 3)
     {
-      throw BadInput(fileName,
+      throw BadInput(ErrorCode::Unsupported,
+                     fileName,
                      "a polygon with " + std::to_string(corners->GetNumberOfIds()) + " corners, need triangles",
                      "triangulate the surface");
     }
@@ -81,7 +82,10 @@ readWith(const std::string & fileName)
   reader->Update();
   if (reader->GetErrorCode() != 0 || !messages.firstError().empty())
   {
-    throw BadInput(fileName, "not a readable surface (" + messages.firstError() + ")", "export the surface again");
+    throw BadInput(ErrorCode::Format,
+                   fileName,
+                   "not a readable surface (" + messages.firstError() + ")",
+                   "export the surface again");
   }
   FileSurface surface;
   surface.mesh = trianglesOf(fileName, *reader->GetOutput());
@@ -115,7 +119,8 @@ requireWholeStl(const std::string & fileName)
   }
   if (count < 84 || size != 84 + 50 * triangles)
   {
-    throw BadInput(fileName,
+    throw BadInput(ErrorCode::Truncated,
+                   fileName,
                    std::to_string(size) + " bytes do not fit the " + std::to_string(triangles) + " triangles promised",
                    copyAgain);
   }
@@ -151,7 +156,8 @@ readFile(const std::string & fileName)
   {
     return { readOff(fileName), false };
   }
-  throw BadInput(fileName, "not a surface's name", "give a .vtk, .vtp, .stl, .obj, .ply or .off file");
+  throw BadInput(
+    ErrorCode::Format, fileName, "not a surface's name", "give a .vtk, .vtp, .stl, .obj, .ply or .off file");
 }
 
 void
@@ -159,13 +165,14 @@ requireSaneNumbers(const std::string & fileName, const TriangleMesh & mesh)
 {
   if (mesh.triangles.empty())
   {
-    throw BadInput(fileName, "there are no triangles", "give a closed triangle surface");
+    throw BadInput(ErrorCode::Empty, fileName, "there are no triangles", "give a closed triangle surface");
   }
   for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
   {
     if (!(mesh.vertices[vertex].array().abs() <= 1e6).all())
     {
-      throw BadInput(fileName,
+      throw BadInput(ErrorCode::SurfaceNaN,
+                     fileName,
                      "vertex " + std::to_string(vertex) + " is not finite or beyond 1e6 mm",
                      "export the surface again, in millimetres");
     }
@@ -177,7 +184,8 @@ requireSaneNumbers(const std::string & fileName, const TriangleMesh & mesh)
     {
       if (vertex < 0 || vertex >= count)
       {
-        throw BadInput(fileName,
+        throw BadInput(ErrorCode::SurfaceIndex,
+                       fileName,
                        "triangle " + std::to_string(triangle) + " names vertex " + std::to_string(vertex) + " of " +
                          std::to_string(count),
                        "export the surface again");
@@ -239,13 +247,15 @@ requireClosed(const std::string & fileName, const TriangleMesh & mesh)
   const SurfaceTopologySummary summary = summarizeTopology(mesh);
   if (summary.boundaryEdges > 0)
   {
-    throw BadInput(fileName,
+    throw BadInput(ErrorCode::SurfaceOpen,
+                   fileName,
                    "the surface is open (" + std::to_string(summary.boundaryEdges) + " edges with one triangle)",
                    "close its holes");
   }
   if (summary.nonManifoldEdges > 0)
   {
-    throw BadInput(fileName,
+    throw BadInput(ErrorCode::SurfaceNonManifold,
+                   fileName,
                    std::to_string(summary.nonManifoldEdges) +
                      " edges with more than two triangles or two of opposite orientation",
                    "repair the surface and orient its triangles");
@@ -286,7 +296,8 @@ readSurface(const std::string & fileName)
   const Vector3     extent = box.upper - box.lower;
   if (!(std::abs(volume) > 1e-9 * extent.prod()))
   {
-    throw BadInput(fileName, "the surface encloses no volume", "give a closed surface of a solid");
+    throw BadInput(
+      ErrorCode::SurfaceDegenerate, fileName, "the surface encloses no volume", "give a closed surface of a solid");
   }
   if (volume < 0.0)
   {

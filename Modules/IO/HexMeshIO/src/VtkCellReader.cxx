@@ -48,11 +48,12 @@ readGridWith(const std::string & fileName)
   }
   catch (const std::bad_alloc &)
   {
-    throw BadInput(fileName, "promises more than fits the memory", writeAgain);
+    throw BadInput(ErrorCode::Truncated, fileName, "promises more than fits the memory", writeAgain);
   }
   if (reader->GetErrorCode() != 0 || !messages.firstError().empty() || !reader->GetOutput())
   {
-    throw BadInput(fileName, "not a readable VTK mesh (" + messages.firstError() + ")", writeAgain);
+    throw BadInput(
+      ErrorCode::NotHexahedra, fileName, "not a readable VTK mesh (" + messages.firstError() + ")", writeAgain);
   }
   FileGrid file{ reader->GetOutput() };
   file.isRas = saysRas(file.grid->GetFieldData());
@@ -70,11 +71,12 @@ requireConsistent(const std::string & fileName, vtkUnstructuredGrid & grid)
   const vtkIdType cells = grid.GetNumberOfCells();
   if (!grid.GetPoints() || cells == 0)
   {
-    throw BadInput(fileName, "has no points or no cells", writeAgain);
+    throw BadInput(ErrorCode::NotHexahedra, fileName, "has no points or no cells", writeAgain);
   }
   if (!grid.GetCells()->IsValid() || grid.GetCellTypesArray()->GetNumberOfValues() != cells)
   {
-    throw BadInput(fileName, "the lists of cells and of their types do not fit together", writeAgain);
+    throw BadInput(
+      ErrorCode::NotHexahedra, fileName, "the lists of cells and of their types do not fit together", writeAgain);
   }
 }
 
@@ -136,7 +138,10 @@ readVtkCells(const std::string & fileName)
     }
     else
     {
-      throw BadInput(fileName, "a hexahedron of " + std::to_string(points->GetNumberOfIds()) + " points", writeAgain);
+      throw BadInput(ErrorCode::NotHexahedra,
+                     fileName,
+                     "a hexahedron of " + std::to_string(points->GetNumberOfIds()) + " points",
+                     writeAgain);
     }
   }
   for (const auto & [type, count] : others)

@@ -56,6 +56,6 @@ TEST(OneLine, CutsAtTheEndOfAWordSoThatNoNumberLosesDigits)
 
 TEST(FileErrors, AreErrorsOfDifferentKinds)
 {
-  EXPECT_THROW(throw BadInput("f", "c", "r"), Error);
-  EXPECT_THROW(throw IOError("f", "c", "r"), Error);
+  EXPECT_THROW(throw BadInput(ErrorCode::Header, "f", "c", "r"), Error);
+  EXPECT_THROW(throw IOError(ErrorCode::InputOutput, "f", "c", "r"), Error);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "moserhex/Common/ErrorCode.h"
 #include "moserhex/Common/StepReport.h"
 
 #include <stdexcept>
@@ -8,11 +9,22 @@
 namespace moserhex
 {
 
-/** Base of everything the Core layer throws on purpose. */
+/** Base of everything this library throws on purpose. */
 class Error : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  Error(ErrorCode code, const std::string & message) : std::runtime_error(message), m_Code(code)
+  {}
+
+  /** The kind of fault, for programs. */
+  [[nodiscard]] ErrorCode
+  code() const
+  {
+    return m_Code;
+  }
+
+private:
+  ErrorCode m_Code;
 };
 
 /** The caller's data break a documented precondition. The message names the quantity, its value and the allowed
@@ -20,14 +32,23 @@ public:
 class InvalidInput : public Error
 {
 public:
-  using Error::Error;
+  explicit InvalidInput(const std::string & message) : Error(ErrorCode::Precondition, message)
+  {}
+
+  InvalidInput(ErrorCode code, const std::string & message) : Error(code, message)
+  {}
 };
 
 /** A factorisation or an iteration did not reach what it promises. Carries the report of the steps made. */
 class NotConverged : public Error
 {
 public:
-  NotConverged(const std::string & message, StepReport stepReport) : Error(message), report(std::move(stepReport))
+  NotConverged(const std::string & message, StepReport stepReport)
+    : NotConverged(ErrorCode::NotConverged, message, std::move(stepReport))
+  {}
+
+  NotConverged(ErrorCode code, const std::string & message, StepReport stepReport)
+    : Error(code, message), report(std::move(stepReport))
   {}
 
   StepReport report;
@@ -37,7 +58,7 @@ public:
 class Cancelled : public Error
 {
 public:
-  Cancelled() : Error("cancelled by the caller")
+  Cancelled() : Error(ErrorCode::Cancelled, "cancelled by the caller")
   {}
 };
 

@@ -7,20 +7,29 @@
 namespace moserhex
 {
 
-/** An input file cannot be used: missing, damaged, of another kind, or its content breaks a documented precondition.
- * The message is one line of at most 200 characters: file, cause, remedy. */
-class BadInput : public Error
+/** A fault of a file. The message is one line: file, cause, remedy; with "error: " before it and " [code]" behind, it
+ * has at most 200 characters. */
+class FileError : public Error
 {
 public:
-  BadInput(const std::string & file, const std::string & cause, const std::string & remedy);
+  FileError(ErrorCode code, const std::string & file, const std::string & cause, const std::string & remedy);
+
+protected:
+  using Error::Error;
 };
 
-/** The operating system failed while a file was read or written: no permission, disk full, device error.
- * The message is one line of at most 200 characters: file, cause, remedy. */
-class IOError : public Error
+/** An input file cannot be used: missing, damaged, of another kind, or its content breaks a documented precondition. */
+class BadInput : public FileError
 {
 public:
-  IOError(const std::string & file, const std::string & cause, const std::string & remedy);
+  using FileError::FileError;
+};
+
+/** The operating system failed while a file was read or written: no permission, disk full, device error. */
+class IOError : public FileError
+{
+public:
+  using FileError::FileError;
 };
 
 /** The text in one line of at most so many bytes: control characters become '?', so that a hostile name or a library's
@@ -29,9 +38,9 @@ public:
 [[nodiscard]] std::string
 oneLine(const std::string & text, std::size_t length);
 
-/** "file: cause; remedy" in one line of at most 200 characters. A file name longer than 60 characters keeps its end,
- * and as little as 24 of them when the cause needs the place; then the cause is cut. */
+/** "file: cause; remedy" in one line of at most `longest` bytes (at least 120). A file name longer than 60 characters
+ * keeps its end, and as little as 24 of them when the cause needs the place; then the cause is cut. */
 [[nodiscard]] std::string
-fileMessage(const std::string & file, const std::string & cause, const std::string & remedy);
+fileMessage(const std::string & file, const std::string & cause, const std::string & remedy, std::size_t longest = 200);
 
 } // namespace moserhex
