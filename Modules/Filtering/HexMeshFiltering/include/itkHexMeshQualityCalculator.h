@@ -47,7 +47,7 @@ public:
     }
     catch (const moserhex::InvalidInput & error)
     {
-      throw InvalidInputError(__FILE__, __LINE__, error.what(), this->GetNameOfClass());
+      throw InvalidInputError(__FILE__, __LINE__, error, this->GetNameOfClass());
     }
   }
 

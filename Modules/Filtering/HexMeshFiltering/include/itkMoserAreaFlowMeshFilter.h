@@ -60,8 +60,8 @@ protected:
     moserhex::TriangleMesh       sphere = TriangleMeshFromItk(this->GetInput());
     if (sphere.triangles != surface.triangles)
     {
-      throw InvalidInputError(
-        __FILE__, __LINE__, "the surface and its map must have the same triangles", this->GetNameOfClass());
+      const moserhex::InvalidInput error("the surface and its map must have the same triangles");
+      throw InvalidInputError(__FILE__, __LINE__, error, this->GetNameOfClass());
     }
     RunCoreAlgorithm(this, [&](const moserhex::ProgressCallback & progress) {
       moserhex::MoserAreaFlowResult flow = moserhex::moserAreaFlow(surface, sphere.vertices, m_Options);
