@@ -17,7 +17,7 @@ class Phantoms : public testing::TestWithParam<analytic::Solid>
 {};
 
 std::string
-nameOf(const testing::TestParamInfo<analytic::Solid> & info)
+testNameOf(const testing::TestParamInfo<analytic::Solid> & info)
 {
   std::string name;
   for (const char c : info.param.name)
@@ -73,7 +73,7 @@ TEST_P(Phantoms, GiveAnExactMesh)
   EXPECT_NEAR(quality.volume / pipeline->GetLabelVolume(), 1.0, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Phantoms, testing::ValuesIn(analytic::solids()), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, Phantoms, testing::ValuesIn(analytic::solids()), testNameOf);
 
 TEST(ProstateSample, GivesAMeshOfNearlyEqualCellsOnTheSurface)
 {

@@ -44,6 +44,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(lastErrorCode) + 1> table{ 
   { "E_PRECONDITION", 3 },
   { "E_NOT_CONVERGED", 4 },
   { "E_NOT_EXACT", 4 },
+  { "E_SHAPE", 4 },
   { "E_MEMORY", 4 },
   { "E_INTERNAL", 70 },
   { "E_CANTCREAT", 74 },

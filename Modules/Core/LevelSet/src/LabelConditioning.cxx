@@ -39,6 +39,10 @@ requireValid(const ConditioningOptions & options)
   require(options.nodesPerSide >= 2, "nodes per side", options.nodesPerSide, ">= 2");
   require(options.spacing >= 0.0 && std::isfinite(options.spacing), "grid spacing [mm]", options.spacing, ">= 0");
   require(options.smoothing >= 0.0 && options.smoothing <= 2.0, "smoothing", options.smoothing, "0 to 2");
+  require(options.minimumSigma >= 0.0 && std::isfinite(options.minimumSigma),
+          "smallest sigma [mm]",
+          options.minimumSigma,
+          ">= 0");
   require(options.sliceAnisotropy >= 1.0, "slice anisotropy", options.sliceAnisotropy, ">= 1");
   require(options.minimumDice >= 0.0 && options.minimumDice <= 1.0, "minimum Dice", options.minimumDice, "0 to 1");
 }
@@ -103,7 +107,7 @@ double
 sigmaOfSmoothing(const ConditioningOptions & options, const Vector3 & voxel, double volume, double spacing)
 {
   const double wanted = std::min(options.smoothing * voxel.maxCoeff(), largestSigmaOfThinLabels * std::cbrt(volume));
-  return std::max(smallestSigmaInNodes * spacing, wanted);
+  return std::max({ smallestSigmaInNodes * spacing, wanted, options.minimumSigma });
 }
 
 /** Empty voxels on each side that cover the margin of the grid, and two for the splines across slices. */
@@ -287,6 +291,23 @@ warningsOf(const ConditioningReport & report)
     warnings.push_back(text.str());
   }
   return warnings;
+}
+
+double
+smootherSigma(const ConditioningReport & report, double volume, int nodesPerSide)
+{
+  const double cellEdge = std::cbrt(volume) / (nodesPerSide - 1);
+  return std::max(1.5 * report.sigma, 0.65 * cellEdge);
+}
+
+std::string
+describeSmoothing(const ConditioningReport & smoother, const ConditioningReport & usual)
+{
+  std::ostringstream text;
+  text << "smoothed by " << smoother.sigma << " mm instead of " << usual.sigma
+       << ", as details are narrower than cells; Dice coefficient with the label " << smoother.dice << " instead of "
+       << usual.dice;
+  return text.str();
 }
 
 ConditionedSolid

@@ -28,6 +28,10 @@ constexpr double ampleScaledJacobian = 0.1;
 constexpr std::size_t turnsOnCoarsestLattice = 24;
 constexpr std::size_t turnsOnCoarseLattice = 6;
 
+/** Of a coarse lattice in the most promising frame: more cells that are not certified, and no finer lattice was ever
+ * seen to become exact [1]. */
+constexpr double hopelessFraction = 0.04;
+
 SignedDistance
 signedDistance(const CubicInterpolator & phi)
 {
@@ -68,12 +72,17 @@ keep(EqualisationResult && equalised, SolidMeshingResult & result)
 void
 equaliseMasses(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
 {
-  const SolidMeshingOptions & options = stage.options;
-  const MassQuadrature        rule =
+  const SolidMeshingOptions &      options = stage.options;
+  std::optional<CubicInterpolator> smoother;
+  if (result.smootherSolid)
+  {
+    smoother.emplace(*result.smootherSolid);
+  }
+  const MassQuadrature rule =
     chooseMassQuadrature(result.mesh, *options.density, options.densityAccuracy, options.threads);
   const MassMeasure measure(*options.density, rule.options);
   keep(equaliseMeasures(result.mesh,
-                        signedDistance(stage.phi),
+                        signedDistance(smoother ? *smoother : stage.phi),
                         stage.volume,
                         measure,
                         stage.volume,
@@ -132,6 +141,21 @@ struct Prospect
   }
 };
 
+/** Gives up where even the best of all frames is far from a mesh on a coarse lattice. */
+void
+requireProspects(const ExactStage & stage, const Prospect & best, int nodesPerSide)
+{
+  const double cells = std::pow(nodesPerSide - 1, 3);
+  if (stage.options.allowPartial || static_cast<double>(best.uncertifiedCells) <= hopelessFraction * cells)
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << "too thin, bent or sharp for a cube's lattice: in the best of all frames " << best.uncertifiedCells << " of "
+       << cells << " cells of a coarse one are not positive";
+  throw NotConverged(ErrorCode::Shape, text.str(), {});
+}
+
 /** Sorts turns by the meshes they lead to on a coarse lattice, best first, and keeps the best. */
 void
 keepBestOnLattice(const ExactStage & stage, int nodesPerSide, std::size_t count, std::vector<Matrix3> & turns)
@@ -149,6 +173,10 @@ keepBestOnLattice(const ExactStage & stage, int nodesPerSide, std::size_t count,
   });
   std::stable_sort(
     prospects.begin(), prospects.end(), [](const Prospect & a, const Prospect & b) { return a.isBetterThan(b); });
+  if (!prospects.empty())
+  {
+    requireProspects(stage, prospects.front(), coarse.nodesPerSide);
+  }
   turns.resize(std::min(count, turns.size()));
   for (std::size_t t = 0; t < turns.size(); ++t)
   {
@@ -201,6 +229,28 @@ tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const Pro
   }
 }
 
+/** The start on the surface of a smoother solid, in its own frame. */
+void
+trySmootherSolid(const ExactStage &          stage,
+                 const EqualisationOptions & options,
+                 const HexMesh &             start,
+                 SolidMeshingResult &        result,
+                 const ProgressCallback &    progress)
+{
+  std::optional<LevelSet> smoother = stage.options.smootherSolid();
+  if (!smoother)
+  {
+    return;
+  }
+  const CubicInterpolator phi(*smoother);
+  EqualisationResult      equalised = equaliseVolumes(start, signedDistance(phi), stage.volume, options, progress);
+  if (equalised.exact)
+  {
+    keep(std::move(equalised), result);
+    result.smootherSolid = std::move(smoother);
+  }
+}
+
 } // namespace
 
 void
@@ -215,7 +265,12 @@ makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressC
   {
     ownFrame.hopelessCells = std::min(ownFrame.hopelessCells, tangledCells(ownFrame.nodesPerSide));
   }
-  keep(equalise(stage, ownFrame, result.mesh, progressBetween(ofVolumes, 0.0, maybeTurned ? 0.3 : 1.0)), result);
+  const HexMesh start = result.mesh;
+  keep(equalise(stage, ownFrame, start, progressBetween(ofVolumes, 0.0, maybeTurned ? 0.2 : 1.0)), result);
+  if (options.smootherSolid && !result.equalisation->exact)
+  {
+    trySmootherSolid(stage, ownFrame, start, result, progressBetween(ofVolumes, 0.2, 0.3));
+  }
   if (maybeTurned && !result.equalisation->exact)
   {
     tryTurnedFrames(stage, result, progressBetween(ofVolumes, 0.3, 1.0));

@@ -5,6 +5,7 @@
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
+#include "moserhex/LevelSet/MarchingTetrahedra.h"
 #include "moserhex/LevelSet/ShellOrdering.h"
 #include "moserhex/SolidMeshing/ShellFrames.h"
 #include "moserhex/SphericalMap/FrameAlignment.h"
@@ -121,7 +122,9 @@ public:
     {
       equalise();
     }
-    m_Result.boundary = boundaryDistance(m_Result.mesh, nearestPointOn(outerSurface, m_PhiAt, level));
+    m_Result.boundary = m_Result.smootherSolid
+                          ? boundaryDistanceTo(*m_Result.smootherSolid)
+                          : boundaryDistance(m_Result.mesh, nearestPointOn(outerSurface, m_PhiAt, level));
     if (m_Options.lastStage == MeshingStage::Exact)
     {
       requireExact(m_Options, m_Result);
@@ -142,13 +145,25 @@ private:
     std::vector<ShellSurface> shells = extractShellSurfaces(
       m_Ordering, m_OrderedPhi, m_Volume, fractions, options, progressBetween(m_Progress, 0.0, afterSurfaces));
     m_Result.shells = summarizeShells(shells, options);
-    m_Result.warnings = m_Result.shells.warnings;
+    std::string note;
+    if (isFast(m_Options))
+    {
+      // These shells only start the optimisation, whose result is judged by itself.
+      for (const std::string & warning : m_Result.shells.warnings)
+      {
+        note += "; " + warning;
+      }
+    }
+    else
+    {
+      m_Result.warnings = m_Result.shells.warnings;
+    }
     for (ShellSurface & shell : shells)
     {
       m_Surfaces.push_back(std::move(shell.mesh));
       m_Levels.push_back(shell.level);
     }
-    m_Log.add("shell surfaces", std::to_string(m_Result.shells.triangles) + " triangles");
+    m_Log.add("shell surfaces", std::to_string(m_Result.shells.triangles) + " triangles" + note);
   }
 
   /** D, E. Sphere maps, the largest shell first so that threads end together. */
@@ -267,12 +282,22 @@ private:
     makeExact(stage, m_Result, progressBetween(m_Progress, isFast(m_Options) ? afterInitialMap : afterFlow, 1.0));
     std::ostringstream note;
     note << m_Result.equalisation->report.steps << " steps, "
-         << (m_Result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified");
+         << (m_Result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified")
+         << (m_Result.smootherSolid ? ", of a smoother solid" : "");
     m_Log.add("exact", m_Result.mesh, note.str());
     if (!m_Result.turnWarning.empty())
     {
       m_Result.warnings.push_back(m_Result.turnWarning);
     }
+  }
+
+  [[nodiscard]] BoundaryDistance
+  boundaryDistanceTo(const LevelSet & phi) const
+  {
+    const TriangleMesh       surface = marchingTetrahedra(phi, 0.0);
+    const ClosestPointSearch search(surface);
+    const CubicInterpolator  phiAt(phi);
+    return boundaryDistance(m_Result.mesh, nearestPointOn(search, phiAt, 0.0));
   }
 
   const LevelSet &            m_Ordering;

@@ -176,10 +176,22 @@ private:
 
   /** Shells of `orderedPhi` in one way, then stages C to K; `orderingStage` says what was done before. */
   moserhex::SolidMeshingResult
-  MeshFrom(ShellMethod                  method,
-           const moserhex::LevelSet &   orderedPhi,
-           const moserhex::LevelSet &   phi,
-           moserhex::MeshingStageReport orderingStage);
+  MeshFrom(moserhex::SolidMeshingOptions options,
+           ShellMethod                   method,
+           const moserhex::LevelSet &    orderedPhi,
+           const moserhex::LevelSet &    phi,
+           moserhex::MeshingStageReport  orderingStage);
+
+  typename ConditioningFilterType::Pointer
+  MakeConditioning();
+
+  /** The label conditioned with more smoothing, for shapes whose details are narrower than the cells; nothing where
+   * that loses more than largestLossOfDice. */
+  std::optional<moserhex::LevelSet>
+  SmootherSolid();
+
+  moserhex::SolidMeshingOptions
+  OptionsWithSmootherSolid();
 
   /** With the shells of GetShellMethod(), those of the fast way from a coarse grid. */
   moserhex::SolidMeshingResult
@@ -206,12 +218,20 @@ private:
   static constexpr double afterConditioning = 0.15;
   static constexpr double afterOrdering = 0.3;
 
+  /** Of the Dice coefficient with the label, by more smoothing [1]. */
+  static constexpr double largestLossOfDice = 0.02;
+
+  /** A solid smoothed more whose Dice coefficient with the label is below this is a warning, not only a note [1]. */
+  static constexpr double noteworthyDice = 0.98;
+
   LabelType                     m_Label{ 1 };
   std::optional<ShellMethod>    m_ShellMethod;
   moserhex::SolidMeshingOptions m_Options;
   moserhex::SolidMeshingResult  m_Result;
   moserhex::ConditioningReport  m_ConditioningReport;
-  double                        m_LabelVolume{ 0.0 };
+
+  std::optional<moserhex::ConditioningReport> m_SmootherReport; ///< of SmootherSolid()
+  double                                      m_LabelVolume{ 0.0 };
 
   std::optional<moserhex::LabelDensity> m_LabelDensity;
 };

@@ -57,10 +57,11 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::RunStage(TFilter * filte
 
 template <typename TLabelImage, typename TMesh>
 moserhex::SolidMeshingResult
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(ShellMethod                  method,
-                                                                 const moserhex::LevelSet &   orderedPhi,
-                                                                 const moserhex::LevelSet &   phi,
-                                                                 moserhex::MeshingStageReport orderingStage)
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(moserhex::SolidMeshingOptions options,
+                                                                 ShellMethod                   method,
+                                                                 const moserhex::LevelSet &    orderedPhi,
+                                                                 const moserhex::LevelSet &    phi,
+                                                                 moserhex::MeshingStageReport  orderingStage)
 {
   typename OrderingFilterType::Pointer ordering = OrderingFilterType::New();
   ordering->SetInput(ImageFromLevelSet<LevelSetImageType>(orderedPhi));
@@ -69,7 +70,6 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(ShellMethod    
   orderingStage.seconds += this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
   orderingStage.note = orderingStage.note.empty() ? NameOf(method) : NameOf(method) + (", " + orderingStage.note);
 
-  moserhex::SolidMeshingOptions options = m_Options;
   options.threads = this->GetNumberOfWorkUnits();
   options.volumeFractions = ordering->GetVolumeFractions();
   options.density = m_LabelDensity ? &m_LabelDensity->density : options.density;
@@ -88,13 +88,61 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(ShellMethod    
 }
 
 template <typename TLabelImage, typename TMesh>
+typename MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::ConditioningFilterType::Pointer
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MakeConditioning()
+{
+  // The stages work on a graft of the input, so that their requests do not travel up this filter's own pipeline.
+  typename TLabelImage::Pointer label = TLabelImage::New();
+  label->Graft(this->GetInput());
+  typename ConditioningFilterType::Pointer conditioning = ConditioningFilterType::New();
+  conditioning->SetInput(label);
+  conditioning->SetLabel(m_Label);
+  conditioning->SetNodesPerSide(2 * m_Options.shells);
+  return conditioning;
+}
+
+template <typename TLabelImage, typename TMesh>
+std::optional<moserhex::LevelSet>
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::SmootherSolid()
+{
+  const typename ConditioningFilterType::Pointer conditioning = this->MakeConditioning();
+  conditioning->SetMinimumSigma(moserhex::smootherSigma(m_ConditioningReport, m_LabelVolume, 2 * m_Options.shells));
+  try
+  {
+    this->RunStage(conditioning.GetPointer(), afterOrdering, afterOrdering);
+  }
+  catch (const InvalidInputError &)
+  {
+    return std::nullopt; // too thin to be smoothed more
+  }
+  m_SmootherReport = conditioning->GetReport();
+  if (m_SmootherReport->dice < m_ConditioningReport.dice - largestLossOfDice)
+  {
+    return std::nullopt;
+  }
+  return LevelSetFromImage(conditioning->GetOutput());
+}
+
+template <typename TLabelImage, typename TMesh>
+moserhex::SolidMeshingOptions
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsWithSmootherSolid()
+{
+  moserhex::SolidMeshingOptions options = m_Options;
+  if (!options.smootherSolid)
+  {
+    options.smootherSolid = [this] { return this->SmootherSolid(); };
+  }
+  return options;
+}
+
+template <typename TLabelImage, typename TMesh>
 moserhex::SolidMeshingResult
 MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromUsualShells(const moserhex::LevelSet & phi)
 {
   moserhex::MeshingStageReport orderingStage{ "shell ordering", 0.0, {}, {} };
   if (moserhex::shellsToExtract(m_Options) == m_Options.shells)
   {
-    return this->MeshFrom(this->GetShellMethod(), phi, phi, orderingStage);
+    return this->MeshFrom(this->OptionsWithSmootherSolid(), this->GetShellMethod(), phi, phi, orderingStage);
   }
   const moserhex::Stopwatch   stopwatch;
   const moserhex::CoarseSolid coarse = RunCoreAlgorithm(
@@ -104,7 +152,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromUsualShells(cons
     afterConditioning);
   orderingStage.seconds = stopwatch.seconds();
   orderingStage.note = moserhex::describe(coarse);
-  return this->MeshFrom(this->GetShellMethod(), coarse.levelSet, phi, orderingStage);
+  return this->MeshFrom(this->OptionsWithSmootherSolid(), this->GetShellMethod(), coarse.levelSet, phi, orderingStage);
 }
 
 template <typename TLabelImage, typename TMesh>
@@ -124,12 +172,16 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(const
   }
   catch (const NotConvergedError & error)
   {
+    if (error.GetCode() == moserhex::ErrorCode::Shape)
+    {
+      throw;
+    }
     reason = error.GetDescription();
   }
   try
   {
     moserhex::SolidMeshingResult other =
-      this->MeshFrom(ShellMethod::ChanVese, phi, phi, { "shell ordering", 0.0, {}, {} });
+      this->MeshFrom(m_Options, ShellMethod::ChanVese, phi, phi, { "shell ordering", 0.0, {}, {} });
     if (!usual || Badness(other) < Badness(*usual))
     {
       other.warnings.push_back("shells from Chan-Vese fronts, as eikonal ones did not do: " + reason);
@@ -172,14 +224,8 @@ template <typename TLabelImage, typename TMesh>
 void
 MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
 {
-  // The stages work on a graft of the input, so that their requests do not travel up this filter's own pipeline.
-  typename TLabelImage::Pointer label = TLabelImage::New();
-  label->Graft(this->GetInput());
-
-  typename ConditioningFilterType::Pointer conditioning = ConditioningFilterType::New();
-  conditioning->SetInput(label);
-  conditioning->SetLabel(m_Label);
-  conditioning->SetNodesPerSide(2 * m_Options.shells);
+  m_SmootherReport.reset();
+  const typename ConditioningFilterType::Pointer conditioning = this->MakeConditioning();
   const double conditioningSeconds = this->RunStage(conditioning.GetPointer(), 0.0, afterConditioning);
   m_ConditioningReport = conditioning->GetReport();
   m_LabelVolume = conditioning->GetLabelVolume();
@@ -189,9 +235,19 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
   m_Result = mayChangeShells ? this->MeshFromBestShells(phi) : this->MeshFromUsualShells(phi);
 
+  moserhex::MeshingStageReport conditioningStage{ "conditioning", conditioningSeconds, {}, {} };
+  if (m_Result.smootherSolid)
+  {
+    conditioningStage.note = moserhex::describeSmoothing(*m_SmootherReport, m_ConditioningReport);
+    m_ConditioningReport = *m_SmootherReport;
+    if (m_ConditioningReport.dice < noteworthyDice)
+    {
+      m_Result.warnings.insert(m_Result.warnings.begin(), conditioningStage.note);
+    }
+  }
   const std::vector<std::string> warnings = moserhex::warningsOf(m_ConditioningReport);
   m_Result.warnings.insert(m_Result.warnings.begin(), warnings.begin(), warnings.end());
-  m_Result.stages.insert(m_Result.stages.begin(), { "conditioning", conditioningSeconds, {}, {} });
+  m_Result.stages.insert(m_Result.stages.begin(), conditioningStage);
   CopyHexMeshToItk(m_Result.mesh, this->GetOutput());
 }
 

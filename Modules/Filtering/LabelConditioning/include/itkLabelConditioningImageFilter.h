@@ -59,6 +59,9 @@ public:
   /** Standard deviation of the smoothing in units of the largest voxel side. */
   itkOptionMacro(Smoothing, double, smoothing);
 
+  /** The Gaussian's standard deviation is never below this [mm]. Default 0. */
+  itkOptionMacro(MinimumSigma, double, minimumSigma);
+
   /** Ratio of voxel sides above which slices are interpolated by shape. */
   itkOptionMacro(SliceAnisotropy, double, sliceAnisotropy);
 

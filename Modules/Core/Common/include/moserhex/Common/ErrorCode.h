@@ -35,6 +35,7 @@ enum class ErrorCode
   Precondition,       ///< E_PRECONDITION: another documented precondition is broken; the message names it
   NotConverged,       ///< E_NOT_CONVERGED: an iteration did not reach what it promises
   NotExact,           ///< E_NOT_EXACT: the mesh is not exact; the message says in what
+  Shape,              ///< E_SHAPE: too thin, bent or sharp for the lattice, which coarse lattices show in every frame
   OutOfMemory,        ///< E_MEMORY: not enough memory for the work
   Internal,           ///< E_INTERNAL: a fault of the program: please report it
   CannotCreate,       ///< E_CANTCREAT: the output cannot be created

@@ -23,6 +23,10 @@ struct ConditioningOptions
    * below 0.7 nodes nor, so that thin labels survive, above 0.15 V^(1/3) unless 0.7 nodes are. */
   double smoothing{ 0.35 };
 
+  /** The standard deviation is never below this [mm]: for solids that must not have details narrower than a lattice's
+   * cells. */
+  double minimumSigma{ 0.0 };
+
   /** A voxel side larger than this times the smallest one makes slices, which are interpolated by shape [1]. */
   double sliceAnisotropy{ 1.5 };
 
@@ -58,6 +62,16 @@ struct ConditioningReport
  * the image, nodes changed to protect the topology. Empty when the label was taken as it is. */
 [[nodiscard]] std::vector<std::string>
 warningsOf(const ConditioningReport & report);
+
+/** ConditioningOptions::minimumSigma for a second, smoother solid of a label whose first one has details narrower than
+ * a lattice can carry: 1.5 times the first sigma, and at least 0.65 of a cell's edge [mm]. \param volume  of the label
+ * [mm^3] */
+[[nodiscard]] double
+smootherSigma(const ConditioningReport & report, double volume, int nodesPerSide);
+
+/** What a smoother solid was smoothed with, and how much of the label that took away, in one line. */
+[[nodiscard]] std::string
+describeSmoothing(const ConditioningReport & smoother, const ConditioningReport & usual);
 
 struct ConditionedSolid
 {

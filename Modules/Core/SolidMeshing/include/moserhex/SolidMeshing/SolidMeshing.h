@@ -11,6 +11,7 @@
 #include "moserhex/Quality/HexQuality.h"
 #include "moserhex/SphericalMap/AreaPreservingMap.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,11 @@ struct SolidMeshingOptions
   /** Turned frames, the most promising first, that the fast way meshes at full size when its own does not lead to an
    * exact mesh; 0: none [1]. */
   int turnedFrames{ 2 };
+
+  /** The same solid conditioned with more smoothing, or nothing when that would lose too much of the label. Asked for
+   * when the own frame does not lead to an exact mesh of phi, before frames are turned: a lattice cannot carry what is
+   * narrower than its cells. Empty: no such attempt. */
+  std::function<std::optional<LevelSet>()> smootherSolid;
 
   ShellSurfaceOptions        surfaces;     ///< stage C; its thread count is replaced by `threads`
   AreaPreservingMapOptions   sphereMap;    ///< stages D, E
@@ -109,10 +115,11 @@ struct SolidMeshingResult
   ShellSurfacesSummary                 shells;     ///< stage C
   std::vector<AreaPreservingMapResult> sphereMaps; ///< entry k-1 for shell k; positions are emptied
   BoundaryDistance                     boundary;
-  std::optional<FramePlacementResult>  frame;        ///< of LatticeFrame::Ridge
-  std::string                          turnWarning;  ///< which of the fallback turns was used; empty: none
-  std::optional<MassReport>            mass;         ///< with a density
-  std::optional<EqualisationResult>    equalisation; ///< stage J; its mesh is emptied
+  std::optional<FramePlacementResult>  frame;         ///< of LatticeFrame::Ridge
+  std::optional<LevelSet>              smootherSolid; ///< the solid that was meshed when it is not phi
+  std::string                          turnWarning;   ///< which of the fallback turns was used; empty: none
+  std::optional<MassReport>            mass;          ///< with a density
+  std::optional<EqualisationResult>    equalisation;  ///< stage J; its mesh is emptied
   std::vector<std::string>             warnings;
 };
 
@@ -128,7 +135,8 @@ struct SolidMeshingResult
  * \param volume    the label's volume                                                               [mm^3]
  * \throws InvalidInput, NotConverged  as extractShellSurfaces, areaPreservingSphereMap, initialMap,
  * volumetricMoserFlow, equaliseVolumes \throws NotConverged  stage J did not reach what it promises; says which part
- * and by how much \throws Cancelled     by the callback \note Deterministic for any number of threads. */
+ * and by how much; with ErrorCode::Shape, coarse lattices show that no frame will do \throws Cancelled     by the
+ * callback \note Deterministic for any number of threads. */
 [[nodiscard]] SolidMeshingResult
 meshSolid(const LevelSet &            ordering,
           const LevelSet &            phi,

@@ -1,0 +1,105 @@
+// Labels whose details are narrower than the lattice's cells. Verdicts and documented bounds.
+#include "PipelineRun.h"
+
+#include "moserhex/Common/ErrorCode.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace moserhex;
+using namespace moserhex::integration;
+
+namespace
+{
+
+constexpr int side = 32;
+
+LabelVolume
+cubicLabel(const std::function<bool(const Eigen::Vector3i &)> & isInside)
+{
+  LabelVolume label;
+  label.size = { { side, side, side } };
+  for (int k = 0; k < side; ++k)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        label.inside.push_back(isInside({ i, j, k }) ? 1 : 0);
+      }
+    }
+  }
+  return label;
+}
+
+bool
+isInCube(const Eigen::Vector3i & v, int lower, int upper)
+{
+  return v.minCoeff() >= lower && v.maxCoeff() <= upper;
+}
+
+/** A cube with a blind hole of 2 x 2 x 17 voxels. */
+LabelVolume
+cubeWithBlindHole()
+{
+  return cubicLabel([](const Eigen::Vector3i & v) {
+    const bool inHole = v[0] >= 15 && v[0] <= 16 && v[1] >= 15 && v[1] <= 16 && v[2] < 20;
+    return isInCube(v, 3, 28) && !inHole;
+  });
+}
+
+/** Two cubes joined by a row of single voxels. */
+LabelVolume
+dumbbell()
+{
+  return cubicLabel([](const Eigen::Vector3i & v) {
+    const bool inNeck = v[1] == 8 && v[2] == 8 && v[0] >= 3 && v[0] <= 28;
+    return isInCube(v - Eigen::Vector3i(0, 3, 3), 2, 10) || isInCube(v - Eigen::Vector3i(19, 3, 3), 2, 10) || inNeck;
+  });
+}
+
+Pipeline::Pointer
+exactMeshOf(const LabelVolume & label)
+{
+  PipelineOptions options;
+  options.lastStage = MeshingStage::Exact;
+  return runPipeline(labelImage(label), options);
+}
+
+} // namespace
+
+TEST(HardShapes, AHoleNarrowerThanTheCellsIsSmoothedAwayInTheLabelsOwnFrame)
+{
+  const Pipeline::Pointer    pipeline = exactMeshOf(cubeWithBlindHole());
+  const SolidMeshingResult & result = pipeline->GetResult();
+  ASSERT_TRUE(result.smootherSolid.has_value());
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_TRUE(result.turnWarning.empty()) << result.turnWarning;
+  EXPECT_LE(result.boundary.maximum, 0.5);
+  EXPECT_GE(pipeline->GetConditioningReport().dice, 0.98);
+  EXPECT_NEAR(qualityAfter(*pipeline, "exact").volume / pipeline->GetLabelVolume(), 1.0, 1e-9);
+  EXPECT_NE(pipeline->GetStages().front().note.find("details are narrower than cells"), std::string::npos);
+}
+
+TEST(HardShapes, ASolidThatIsExactAsItIsIsNotSmoothedMore)
+{
+  const Pipeline::Pointer pipeline =
+    exactMeshOf(cubicLabel([](const Eigen::Vector3i & v) { return isInCube(v, 3, 28); }));
+  EXPECT_FALSE(pipeline->GetResult().smootherSolid.has_value());
+  EXPECT_EQ(pipeline->GetStages().front().note, "");
+}
+
+TEST(HardShapes, ADumbbellWithANeckOfOneVoxelIsRefusedWithTheNumbersOfACoarseLattice)
+{
+  try
+  {
+    exactMeshOf(dumbbell());
+    FAIL() << "a mesh of a dumbbell";
+  }
+  catch (const itk::NotConvergedError & error)
+  {
+    EXPECT_EQ(error.GetCode(), ErrorCode::Shape) << error.GetDescription();
+    EXPECT_NE(std::string(error.GetDescription()).find("of a coarse one are not positive"), std::string::npos);
+  }
+}
