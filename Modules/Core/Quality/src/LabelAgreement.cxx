@@ -1,94 +1,27 @@
 #include "moserhex/Quality/LabelAgreement.h"
 
+#include "CellSamples.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/LevelSet/SignedDistance.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace moserhex
 {
 namespace
 {
 
-/** From LPS millimetres to voxels. */
-class VoxelCoordinates
-{
-public:
-  explicit VoxelCoordinates(const LabelVolume & label)
-    : m_Origin(label.origin), m_ToVoxels(label.spacing.cwiseInverse().asDiagonal() * label.direction.transpose())
-  {}
-
-  [[nodiscard]] Vector3
-  of(const Vector3 & point) const
-  {
-    return m_ToVoxels * (point - m_Origin);
-  }
-
-private:
-  Vector3 m_Origin;
-  Matrix3 m_ToVoxels;
-};
+constexpr int samplesPerSide = 5;
 
 bool
 isInside(const LabelVolume & label, const Vector3 & voxel)
 {
-  std::array<int, 3> index{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double nearest = std::nearbyint(voxel[static_cast<Eigen::Index>(axis)]);
-    if (!(nearest >= 0.0 && nearest < label.size[axis]))
-    {
-      return false;
-    }
-    index[axis] = static_cast<int>(nearest);
-  }
-  return label.inside[label.voxelNumber(index[0], index[1], index[2])] != 0;
-}
-
-/** Sample points of the reference cube with the weights of the corners and the derivatives of these. */
-struct Sample
-{
-  std::array<double, 8>  weight;
-  std::array<Vector3, 8> gradient;
-};
-
-constexpr int samplesPerSide = 5;
-constexpr int samplesPerCell = samplesPerSide * samplesPerSide * samplesPerSide;
-
-std::vector<Sample>
-makeSamples()
-{
-  constexpr int       reference[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-                                          { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
-  std::vector<Sample> samples;
-  for (int number = 0; number < samplesPerCell; ++number)
-  {
-    const std::array<int, 3> step{
-      { number % samplesPerSide, number / samplesPerSide % samplesPerSide, number / samplesPerSide / samplesPerSide }
-    };
-    Sample sample;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      std::array<double, 3> factor{};
-      std::array<double, 3> sign{};
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const double t = (step[axis] + 0.5) / samplesPerSide;
-        factor[axis] = reference[corner][axis] == 1 ? t : 1.0 - t;
-        sign[axis] = reference[corner][axis] == 1 ? 1.0 : -1.0;
-      }
-      sample.weight[corner] = factor[0] * factor[1] * factor[2];
-      sample.gradient[corner] =
-        Vector3(sign[0] * factor[1] * factor[2], factor[0] * sign[1] * factor[2], factor[0] * factor[1] * sign[2]);
-    }
-    samples.push_back(sample);
-  }
-  return samples;
+  const std::optional<std::size_t> nearest = detail::nearestVoxel(label, voxel);
+  return nearest && label.inside[*nearest] != 0;
 }
 
 /** Volume of a cell and of its part in the label, by the samples [mm^3]. */
@@ -99,10 +32,10 @@ struct CellVolumes
 };
 
 CellVolumes
-sampleCell(const HexCorners &          corners,
-           const std::vector<Sample> & samples,
-           const LabelVolume &         label,
-           const VoxelCoordinates &    coordinates)
+sampleCell(const HexCorners &                      corners,
+           const std::vector<detail::CellSample> & samples,
+           const LabelVolume &                     label,
+           const detail::VoxelCoordinates &        coordinates)
 {
   std::array<Vector3, 8> voxels;
   for (std::size_t corner = 0; corner < 8; ++corner)
@@ -110,7 +43,7 @@ sampleCell(const HexCorners &          corners,
     voxels[corner] = coordinates.of(corners[corner]);
   }
   CellVolumes volumes;
-  for (const Sample & sample : samples)
+  for (const detail::CellSample & sample : samples)
   {
     Matrix3 jacobian = Matrix3::Zero();
     Vector3 voxel = Vector3::Zero();
@@ -119,7 +52,8 @@ sampleCell(const HexCorners &          corners,
       jacobian += corners[corner] * sample.gradient[corner].transpose();
       voxel += sample.weight[corner] * voxels[corner];
     }
-    const double volume = std::abs(jacobian.col(0).dot(jacobian.col(1).cross(jacobian.col(2)))) / samplesPerCell;
+    const double volume =
+      std::abs(jacobian.col(0).dot(jacobian.col(1).cross(jacobian.col(2)))) / static_cast<double>(samples.size());
     volumes.whole += volume;
     volumes.inLabel += isInside(label, voxel) ? volume : 0.0;
   }
@@ -129,9 +63,9 @@ sampleCell(const HexCorners &          corners,
 CellVolumes
 sampleMesh(const UnstructuredHexMesh & mesh, const LabelVolume & label, unsigned int threads)
 {
-  const std::vector<Sample> samples = makeSamples();
-  const VoxelCoordinates    coordinates(label);
-  std::vector<CellVolumes>  cells(mesh.cellCount());
+  const std::vector<detail::CellSample> samples = detail::cellSamples(samplesPerSide);
+  const detail::VoxelCoordinates        coordinates(label);
+  std::vector<CellVolumes>              cells(mesh.cellCount());
   parallelForBlocks(cells.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
     {
@@ -189,9 +123,9 @@ public:
   }
 
 private:
-  LabelVolume         m_Label;
-  VoxelCoordinates    m_Coordinates;
-  std::vector<double> m_Values;
+  LabelVolume              m_Label;
+  detail::VoxelCoordinates m_Coordinates;
+  std::vector<double>      m_Values;
 };
 
 } // namespace

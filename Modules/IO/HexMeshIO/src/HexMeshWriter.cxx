@@ -54,6 +54,10 @@ checkedVolumeRatios(const HexMesh & mesh, const HexMeshFields & fields)
   {
     requireSize("scaled Jacobians", fields.scaledJacobian.size(), mesh.cellCount());
   }
+  if (!fields.label.empty())
+  {
+    requireSize("labels", fields.label.size(), mesh.cellCount());
+  }
   if (!fields.cubeCoordinates.empty())
   {
     requireSize("cube coordinates", fields.cubeCoordinates.size(), mesh.nodes.size());
@@ -124,6 +128,18 @@ latticeIndices(int nodesPerSide)
   return array;
 }
 
+vtkSmartPointer<vtkIntArray>
+labelArray(const std::vector<std::int32_t> & labels)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName("Label");
+  for (const std::int32_t label : labels)
+  {
+    array->InsertNextValue(label);
+  }
+  return array;
+}
+
 vtkSmartPointer<vtkDoubleArray>
 scalarArray(const char * name, const std::vector<double> & values)
 {
@@ -175,6 +191,10 @@ makeGrid(const HexMesh & mesh, const HexMeshFields & fields, const std::vector<d
   if (!fields.scaledJacobian.empty())
   {
     grid->GetCellData()->AddArray(scalarArray("ScaledJacobian", fields.scaledJacobian));
+  }
+  if (!fields.label.empty())
+  {
+    grid->GetCellData()->AddArray(labelArray(fields.label));
   }
   return grid;
 }

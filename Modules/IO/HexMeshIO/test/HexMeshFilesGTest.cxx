@@ -53,6 +53,7 @@ someFields(const HexMesh & mesh)
   HexMeshFields fields;
   fields.scaledJacobian.assign(mesh.cellCount(), 0.5);
   fields.cubeCoordinates = mesh.nodes;
+  fields.label.assign(mesh.cellCount(), 7);
   return fields;
 }
 
@@ -97,6 +98,8 @@ expectFields(vtkUnstructuredGrid & grid, int n)
   EXPECT_NEAR(sum / static_cast<double>(grid.GetNumberOfCells()), 1.0, 1e-12);
   EXPECT_TRUE(grid.GetCellData()->GetArray("ScaledJacobian"));
   EXPECT_TRUE(grid.GetPointData()->GetArray("CubeCoordinate"));
+  ASSERT_TRUE(grid.GetCellData()->GetArray("Label"));
+  EXPECT_EQ(grid.GetCellData()->GetArray("Label")->GetTuple1(0), 7.0);
 }
 
 /** Writes under a limit on the size of files, which fails like a full disk, in a process of its own. */
@@ -252,6 +255,9 @@ TEST(HexMeshWriter, WrongSizesAreRefused)
   HexMesh          mesh = bentLattice(4);
   HexMeshFields    fields;
   fields.scaledJacobian.assign(3, 1.0);
+  EXPECT_THROW(writeHexMesh(folder / "mesh.vtu", mesh, fields), InvalidInput);
+  fields = {};
+  fields.label.assign(3, 1);
   EXPECT_THROW(writeHexMesh(folder / "mesh.vtu", mesh, fields), InvalidInput);
   mesh.nodes.pop_back();
   EXPECT_THROW(writeHexMesh(folder / "mesh.vtu", mesh), InvalidInput);

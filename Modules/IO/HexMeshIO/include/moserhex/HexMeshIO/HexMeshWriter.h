@@ -3,6 +3,7 @@
 #include "moserhex/Geometry/HexMesh.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct HexMeshFields
 {
   std::vector<double> scaledJacobian;  ///< per cell, written as ScaledJacobian; empty: left out
   Positions           cubeCoordinates; ///< per node on [-1,1]^3, written as CubeCoordinate; empty: left out
+
+  std::vector<std::int32_t> label; ///< per cell, written as Label; empty: left out
 };
 
 struct HexMeshWriterOptions
