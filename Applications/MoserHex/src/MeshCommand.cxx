@@ -83,14 +83,15 @@ readInput(const std::string & fileName)
   {
     return readLabelImage(fileName);
   }
-  const TriangleMesh surface = readSurface(fileName);
+  const SurfaceFile surface = readSurface(fileName);
   try
   {
-    const LabelVolume voxels = voxelise(surface);
+    const LabelVolume voxels = voxelise(surface.mesh);
     LabelImage        image;
     image.fileName = fileName;
     image.image = labelImageOf(voxels);
     image.labels = { { 1, voxelCount(voxels), "" } };
+    image.warnings = surface.warnings;
     return image;
   }
   catch (const InvalidInput & error)

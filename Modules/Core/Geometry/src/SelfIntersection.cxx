@@ -106,7 +106,8 @@ coplanarTrianglesIntersect(const TriangleCorners & first, const TriangleCorners 
   return contains(a, b[0]) || contains(b, a[0]);
 }
 
-/** Calls visit(s, t) for all pairs of triangles, s of the first and t of the second tree, whose leaf boxes overlap. */
+/** Calls visit(s, t) for all pairs of triangles, s of the first and t of the second tree, whose leaf boxes overlap,
+ * until it returns false. */
 template <typename TVisitor>
 void
 forEachOverlappingPair(const TriangleBoxTree & first, const TriangleBoxTree & second, TVisitor && visit)
@@ -128,7 +129,10 @@ forEachOverlappingPair(const TriangleBoxTree & first, const TriangleBoxTree & se
       {
         for (int j = q.first; j < q.first + q.count; ++j)
         {
-          visit(first.order()[i], second.order()[j]);
+          if (!visit(first.order()[i], second.order()[j]))
+          {
+            return;
+          }
         }
       }
     }
@@ -216,6 +220,26 @@ trianglesIntersect(const TriangleCorners & first, const TriangleCorners & second
   return false;
 }
 
+std::vector<TrianglePair>
+findSelfIntersections(const TriangleMesh & surface, std::size_t mostPairs)
+{
+  std::vector<TrianglePair> pairs;
+  if (surface.triangles.empty())
+  {
+    return pairs;
+  }
+  const TriangleBoxTree tree(surface);
+  forEachOverlappingPair(tree, tree, [&](int s, int t) {
+    if (s < t && meetOutsideSharedParts(surface, tree, s, t))
+    {
+      pairs.push_back({ s, t });
+    }
+    return pairs.size() < mostPairs;
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 std::size_t
 countSelfIntersections(const TriangleMesh & surface)
 {
@@ -225,8 +249,10 @@ countSelfIntersections(const TriangleMesh & surface)
   }
   const TriangleBoxTree tree(surface);
   std::size_t           count = 0;
-  forEachOverlappingPair(
-    tree, tree, [&](int s, int t) { count += s < t && meetOutsideSharedParts(surface, tree, s, t) ? 1 : 0; });
+  forEachOverlappingPair(tree, tree, [&](int s, int t) {
+    count += s < t && meetOutsideSharedParts(surface, tree, s, t) ? 1 : 0;
+    return true;
+  });
   return count;
 }
 
@@ -244,6 +270,7 @@ countIntersections(const TriangleMesh & first, const TriangleMesh & second)
     const TriangleCorners & p = tree.corners(s);
     const TriangleCorners & q = other.corners(t);
     count += boxOf(p).overlaps(boxOf(q)) && trianglesIntersect(p, q) ? 1 : 0;
+    return true;
   });
   return count;
 }

@@ -1,5 +1,6 @@
 #include "moserhex/Geometry/TriangleTopology.h"
 
+#include "TriangleSides.h"
 #include "moserhex/Common/Errors.h"
 
 #include <algorithm>
@@ -10,16 +11,6 @@ namespace moserhex
 {
 namespace
 {
-
-/** One side of one triangle, with its edge's vertices in ascending order. */
-struct Side
-{
-  VertexIndex low;
-  VertexIndex high;
-  int         triangle;
-  int         side;
-  bool        ascending; ///< the triangle runs from low to high
-};
 
 void
 requireIndicesInRange(const TriangleMesh & mesh)
@@ -46,68 +37,13 @@ requireIndicesInRange(const TriangleMesh & mesh)
   }
 }
 
-/** All sides, those of the same edge next to each other, in order of triangle number within an edge. */
-std::vector<Side>
-sortedSides(const TriangleMesh & mesh)
-{
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const VertexIndex a = mesh.triangles[f][k];
-      const VertexIndex b = mesh.triangles[f][(k + 1) % 3];
-      sides.push_back({ std::min(a, b), std::max(a, b), static_cast<int>(f), k, a < b });
-    }
-  }
-  std::stable_sort(sides.begin(), sides.end(), [](const Side & p, const Side & q) {
-    return p.low != q.low ? p.low < q.low : p.high < q.high;
-  });
-  return sides;
-}
-
-bool
-sameEdge(const Side & p, const Side & q)
-{
-  return p.low == q.low && p.high == q.high;
-}
-
-/** Calls visit(first, count) for each group of sides that share an edge. */
-template <typename TVisitor>
-void
-forEachEdge(const std::vector<Side> & sides, TVisitor && visit)
-{
-  for (std::size_t i = 0; i < sides.size();)
-  {
-    std::size_t j = i + 1;
-    while (j < sides.size() && sameEdge(sides[i], sides[j]))
-    {
-      ++j;
-    }
-    visit(i, j - i);
-    i = j;
-  }
-}
-
-std::size_t
-root(std::vector<std::size_t> & parent, std::size_t v)
-{
-  while (parent[v] != v)
-  {
-    parent[v] = parent[parent[v]];
-    v = parent[v];
-  }
-  return v;
-}
-
 } // namespace
 
 TriangleTopology
 triangleTopology(const TriangleMesh & mesh)
 {
   requireIndicesInRange(mesh);
-  const std::vector<Side> sides = sortedSides(mesh);
+  const std::vector<TriangleSide> sides = sortedSides(mesh);
 
   TriangleTopology topology;
   topology.triangleEdges.resize(mesh.triangles.size());
@@ -115,7 +51,7 @@ triangleTopology(const TriangleMesh & mesh)
   topology.vertexTriangle.assign(mesh.vertices.size(), -1);
   topology.edges.reserve(sides.size() / 2);
   forEachEdge(sides, [&](std::size_t first, std::size_t count) {
-    const Side & p = sides[first];
+    const TriangleSide & p = sides[first];
     if (count != 2 || p.ascending == sides[first + 1].ascending)
     {
       std::ostringstream message;
@@ -123,8 +59,8 @@ triangleTopology(const TriangleMesh & mesh)
               << (count == 2 ? " of the same direction" : "") << ", need 2 of opposite direction";
       throw InvalidInput(message.str());
     }
-    const Side & q = sides[first + 1];
-    const int    edge = static_cast<int>(topology.edges.size());
+    const TriangleSide & q = sides[first + 1];
+    const int            edge = static_cast<int>(topology.edges.size());
     topology.edges.push_back({ p.low, p.high });
     topology.triangleEdges[p.triangle][p.side] = edge;
     topology.triangleEdges[q.triangle][q.side] = edge;
@@ -144,9 +80,9 @@ triangleTopology(const TriangleMesh & mesh)
 SurfaceTopologySummary
 summarizeTopology(const TriangleMesh & mesh)
 {
-  SurfaceTopologySummary   summary;
-  const std::vector<Side>  sides = sortedSides(mesh);
-  std::vector<std::size_t> component(mesh.vertices.size());
+  SurfaceTopologySummary          summary;
+  const std::vector<TriangleSide> sides = sortedSides(mesh);
+  std::vector<std::size_t>        component(mesh.vertices.size());
   std::iota(component.begin(), component.end(), std::size_t{ 0 });
   // Corners (triangle, vertex) joined across shared edges: a manifold vertex has one class of corners.
   std::vector<std::size_t> fan(3 * mesh.triangles.size());
@@ -154,8 +90,8 @@ summarizeTopology(const TriangleMesh & mesh)
 
   forEachEdge(sides, [&](std::size_t first, std::size_t count) {
     ++summary.edges;
-    const Side & p = sides[first];
-    component[root(component, p.low)] = root(component, p.high);
+    const TriangleSide & p = sides[first];
+    component[rootOf(component, p.low)] = rootOf(component, p.high);
     if (count == 1)
     {
       ++summary.boundaryEdges;
@@ -166,15 +102,15 @@ summarizeTopology(const TriangleMesh & mesh)
     }
     for (std::size_t s = first + 1; s < first + count; ++s)
     {
-      const Side & q = sides[s];
+      const TriangleSide & q = sides[s];
       for (const VertexIndex v : { p.low, p.high })
       {
-        const auto cornerOf = [&](const Side & side) {
+        const auto cornerOf = [&](const TriangleSide & side) {
           const Triangle & t = mesh.triangles[side.triangle];
           const int        k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
           return 3 * static_cast<std::size_t>(side.triangle) + k;
         };
-        fan[root(fan, cornerOf(p))] = root(fan, cornerOf(q));
+        fan[rootOf(fan, cornerOf(p))] = rootOf(fan, cornerOf(q));
       }
     }
   });
@@ -185,7 +121,7 @@ summarizeTopology(const TriangleMesh & mesh)
     for (int k = 0; k < 3; ++k)
     {
       const std::size_t corner = 3 * f + k;
-      const bool        isRoot = root(fan, corner) == corner;
+      const bool        isRoot = rootOf(fan, corner) == corner;
       fansOfVertex[mesh.triangles[f][k]] += isRoot ? 1 : 0;
     }
   }
@@ -195,7 +131,7 @@ summarizeTopology(const TriangleMesh & mesh)
     {
       ++summary.vertices;
       summary.nonManifoldVertices += fansOfVertex[v] > 1 ? 1 : 0;
-      summary.components += root(component, v) == v ? 1 : 0;
+      summary.components += rootOf(component, v) == v ? 1 : 0;
     }
   }
   summary.triangles = mesh.triangles.size();

@@ -2,12 +2,14 @@
 
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace moserhex
 {
@@ -33,13 +35,17 @@ parseNumber(std::string_view word, T & value)
 }
 
 /** A file in memory, handed out in words, lines, numbers or binary values. Whatever is not as expected throws BadInput
- * with the remedy given. */
+ * with the remedy given: ErrorCode::Truncated where the file ends too early, else the code given. */
 class FileText
 {
 public:
   /** \param comment  starts a comment that ends with the line; '\0': there are none
+   * \param code     of refusals about what is there
    * \throws IOError  the file cannot be read */
-  FileText(const std::string & fileName, std::string remedy, char comment = '\0');
+  FileText(const std::string & fileName,
+           std::string         remedy,
+           char                comment = '\0',
+           ErrorCode           code = ErrorCode::NotHexahedra);
 
   /** Up to the next white space; empty at the end. */
   [[nodiscard]] std::string_view
@@ -52,6 +58,25 @@ public:
   /** Up to the end of the line, which is passed. */
   std::string_view
   nextLine();
+
+  /** The words of the next line that has any, comments apart. \return false at the end of the file */
+  [[nodiscard]] bool
+  nextWords(std::vector<std::string_view> & words);
+
+  /** Number of the line that nextLine or nextWords handed out last, from 1. O(bytes before it). */
+  [[nodiscard]] std::size_t
+  lineNumber() const;
+
+  /** The next so many bytes without going on; fewer at the end. */
+  [[nodiscard]] std::string_view
+  peekBytes(std::size_t count) const
+  {
+    return std::string_view(m_Text).substr(m_Position, count);
+  }
+
+  /** Goes on by so many bytes. \throws BadInput  there are fewer */
+  void
+  skipBytes(std::size_t count, const char * what);
 
   /** Goes behind the next occurrence of `mark`. \throws BadInput  there is none */
   void
@@ -87,11 +112,22 @@ public:
   nextNumber(const char * what)
   {
     const std::string_view word = nextWord();
-    T                      value{};
+    if (word.empty())
+    {
+      refuseEnd(what);
+    }
+    return numberOf<T>(word, what);
+  }
+
+  /** \throws BadInput  the word is not a number of the type */
+  template <typename T>
+  [[nodiscard]] T
+  numberOf(std::string_view word, const char * what) const
+  {
+    T value{};
     if (!parseNumber(word, value))
     {
-      refuse(word.empty() ? std::string("the file ends before ") + what
-                          : "'" + std::string(word.substr(0, 20)) + "' where " + what + " is expected");
+      refuseWord(word, what);
     }
     return value;
   }
@@ -104,10 +140,20 @@ public:
     T value{};
     if (remaining() < sizeof value)
     {
-      refuse(std::string("the file ends before ") + what);
+      refuseEnd(what);
     }
     std::memcpy(&value, m_Text.data() + m_Position, sizeof value);
     m_Position += sizeof value;
+    return value;
+  }
+
+  template <typename T>
+  [[nodiscard]] T
+  nextBigEndian(const char * what)
+  {
+    T            value = nextBinary<T>(what);
+    auto * const bytes = reinterpret_cast<unsigned char *>(&value);
+    std::reverse(bytes, bytes + sizeof value);
     return value;
   }
 
@@ -119,6 +165,17 @@ public:
   [[noreturn]] void
   refuse(const std::string & cause) const;
 
+  [[noreturn]] void
+  refuse(ErrorCode code, const std::string & cause) const;
+
+  /** Refuses because there is this word "where `what` is expected". */
+  [[noreturn]] void
+  refuseWord(std::string_view word, const char * what) const;
+
+  /** Refuses because "the file ends before `what`". */
+  [[noreturn]] void
+  refuseEnd(const char * what) const;
+
 private:
   void
   skipSpace();
@@ -128,6 +185,7 @@ private:
   std::string m_Text;
   std::size_t m_Position{ 0 };
   char        m_Comment;
+  ErrorCode   m_Code;
 };
 
 } // namespace moserhex

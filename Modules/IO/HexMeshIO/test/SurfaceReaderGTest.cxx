@@ -153,7 +153,7 @@ TEST_P(EverySurfaceFormat, GivesTheClosedSurface)
   const TriangleMesh mesh = shiftedEllipsoid();
   const std::string  name = folder / ("a." + GetParam());
   writeAs(name, mesh);
-  const TriangleMesh read = readSurface(name);
+  const TriangleMesh read = readSurface(name).mesh;
   EXPECT_EQ(read.vertices.size(), mesh.vertices.size());
   EXPECT_EQ(read.triangles.size(), mesh.triangles.size());
   EXPECT_TRUE(summarizeTopology(read).isSphere());
@@ -171,7 +171,7 @@ TEST_P(EverySurfaceFormat, InwardSurfaceIsTurnedOutwards)
   }
   const std::string name = folder / ("a." + GetParam());
   writeAs(name, mesh);
-  EXPECT_GT(enclosedVolume(readSurface(name)), 0.0);
+  EXPECT_GT(enclosedVolume(readSurface(name).mesh), 0.0);
 }
 
 TEST_P(EverySurfaceFormat, OpenSurfaceIsRefused)
@@ -181,7 +181,7 @@ TEST_P(EverySurfaceFormat, OpenSurfaceIsRefused)
   mesh.triangles.pop_back();
   const std::string name = folder / ("a." + GetParam());
   writeAs(name, mesh);
-  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(name); }).find("open (3 edges"), std::string::npos);
+  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(name); }).find("boundary loop of 3 edges"), std::string::npos);
 }
 
 TEST_P(EverySurfaceFormat, EmptyFileIsRefused)
@@ -206,7 +206,7 @@ TEST(SurfaceReader, RasFileIsTurnedIntoLps)
   const TriangleMesh mesh = shiftedEllipsoid();
   const Vector3      expected = centreOf(mesh).cwiseProduct(Vector3(-1, -1, 1));
   writeBy<vtkPolyDataWriter>(folder / "a.vtk", polyDataOf(mesh), "3D Slicer output. SPACE=RAS");
-  EXPECT_LT((centreOf(readSurface(folder / "a.vtk")) - expected).norm(), 1e-4);
+  EXPECT_LT((centreOf(readSurface(folder / "a.vtk").mesh) - expected).norm(), 1e-4);
 
   const auto             data = polyDataOf(mesh);
   vtkNew<vtkStringArray> space;
@@ -214,18 +214,19 @@ TEST(SurfaceReader, RasFileIsTurnedIntoLps)
   space->InsertNextValue("RAS");
   data->GetFieldData()->AddArray(space);
   writeBy<vtkXMLPolyDataWriter>(folder / "a.vtp", data);
-  const TriangleMesh read = readSurface(folder / "a.vtp");
+  const TriangleMesh read = readSurface(folder / "a.vtp").mesh;
   EXPECT_LT((centreOf(read) - expected).norm(), 1e-4);
   EXPECT_GT(enclosedVolume(read), 0.0);
 }
 
-TEST(SurfaceReader, InconsistentOrientationIsRefused)
+TEST(SurfaceReader, RepairsAreWarnings)
 {
   const TestFolder folder;
   TriangleMesh     mesh = shiftedEllipsoid();
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
   writeAs(folder / "a.off", mesh);
-  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.off"); }).find("orientation"), std::string::npos);
+  ASSERT_EQ(readSurface(folder / "a.off").warnings.size(), 1u);
+  EXPECT_EQ(readSurface(folder / "a.off").warnings[0], "1 triangle turned to agree with the others");
 }
 
 TEST(SurfaceReader, CoordinateThatIsNotFiniteIsRefused)
@@ -245,17 +246,8 @@ TEST(SurfaceReader, IndexOutOfRangeIsRefused)
     TriangleMesh mesh = shiftedEllipsoid();
     mesh.triangles[7][1] = index;
     writeAs(folder / "a.off", mesh);
-    EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.off"); }).find("triangle 7"), std::string::npos);
+    EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.off"); }).find("face 8"), std::string::npos);
   }
-}
-
-TEST(SurfaceReader, PolygonsAreRefused)
-{
-  const TestFolder folder;
-  writeBytes(folder / "a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
-  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.off"); }).find("4 corners"), std::string::npos);
-  writeBytes(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.obj"); }).find("4 corners"), std::string::npos);
 }
 
 TEST(SurfaceReader, OffCutAnywhereIsRefused)
@@ -322,7 +314,7 @@ TEST(SurfaceReader, PlyOfBigEndianIsRead)
     append(t[2]);
   }
   writeBytes(folder / "a.ply", bytes);
-  EXPECT_DOUBLE_EQ(enclosedVolume(readSurface(folder / "a.ply")), 1000.0);
+  EXPECT_DOUBLE_EQ(enclosedVolume(readSurface(folder / "a.ply").mesh), 1000.0);
 }
 
 TEST(SurfaceReader, CountsBeyondALegacyFileAreRefused)
@@ -334,7 +326,7 @@ TEST(SurfaceReader, CountsBeyondALegacyFileAreRefused)
   ASSERT_NE(points, std::string::npos);
   bytes.replace(points, 8, "POINTS 800000");
   writeBytes(folder / "a.vtk", bytes);
-  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.vtk"); }).find("promises"), std::string::npos);
+  EXPECT_EQ(codeThrownBy([&] { (void)readSurface(folder / "a.vtk"); }), ErrorCode::Truncated);
 }
 
 TEST(SurfaceReader, BinaryStlOfAnotherLengthIsRefused)
@@ -355,7 +347,36 @@ TEST(SurfaceReader, FlatSurfaceIsRefused)
 {
   const TestFolder folder;
   writeBytes(folder / "a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n3 0 2 1\n");
-  EXPECT_NE(messageOf<BadInput>([&] { (void)readSurface(folder / "a.off"); }).find("no volume"), std::string::npos);
+  EXPECT_EQ(codeThrownBy([&] { (void)readSurface(folder / "a.off"); }), ErrorCode::SurfaceDegenerate);
+}
+
+TEST(SurfaceReader, XmlSurfaceOfLinesStripsOrWrongOffsetsIsRefused)
+{
+  const TestFolder folder;
+  const auto       data = polyDataOf(cubeSurface(1));
+  data->SetLines(data->GetPolys());
+  data->SetPolys(nullptr);
+  writeBy<vtkXMLPolyDataWriter>(folder / "a.vtp", data);
+  EXPECT_EQ(codeThrownBy([&] { (void)readSurface(folder / "a.vtp"); }), ErrorCode::Empty);
+  data->SetStrips(data->GetLines());
+  writeBy<vtkXMLPolyDataWriter>(folder / "a.vtp", data);
+  EXPECT_EQ(codeThrownBy([&] { (void)readSurface(folder / "a.vtp"); }), ErrorCode::Unsupported);
+
+  const std::string begin = "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData><Piece NumberOfPoints=\"3\" "
+                            "NumberOfPolys=\"1\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\">"
+                            "0 0 0 1 0 0 0 1 0</DataArray></Points><Polys><DataArray type=\"Int32\" "
+                            "Name=\"connectivity\">";
+  const std::string middle = "</DataArray><DataArray type=\"Int32\" Name=\"offsets\">";
+  const std::string end = "</DataArray></Polys></Piece></PolyData></VTKFile>\n";
+  writeBytes(folder / "a.vtp", begin + "0 1 2" + middle + "3" + end);
+  EXPECT_EQ(codeThrownBy([&] { (void)readSurface(folder / "a.vtp"); }), ErrorCode::SurfaceOpen);
+  writeBytes(folder / "a.vtp", begin + "0 1 9" + middle + "3" + end);
+  EXPECT_EQ(codeThrownBy([&] { (void)readSurface(folder / "a.vtp"); }), ErrorCode::SurfaceIndex);
+  for (const char * offset : { "-3", "30000", "2000000000" })
+  {
+    writeBytes(folder / "a.vtp", begin + "0 1 2" + middle + offset + end);
+    EXPECT_THROW((void)readSurface(folder / "a.vtp"), BadInput) << offset;
+  }
 }
 
 TEST(SurfaceReader, MissingFileAndForeignNameAreRefused)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "moserhex/Common/Errors.h"
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -78,6 +80,22 @@ messageOf(const TCall & call)
     return error.what();
   }
   return "no exception";
+}
+
+/** The code of the Error that `call` throws. \throws std::runtime_error  it throws none */
+template <typename TCall>
+ErrorCode
+codeThrownBy(const TCall & call)
+{
+  try
+  {
+    call();
+  }
+  catch (const Error & error)
+  {
+    return error.code();
+  }
+  throw std::runtime_error("no exception");
 }
 
 } // namespace moserhex

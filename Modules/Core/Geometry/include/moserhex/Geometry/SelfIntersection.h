@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace moserhex
 {
@@ -15,11 +16,17 @@ using TriangleCorners = std::array<Vector3, 3>;
 [[nodiscard]] bool
 trianglesIntersect(const TriangleCorners & first, const TriangleCorners & second);
 
-/** Number of pairs of triangles of one surface that meet outside what they share.
+using TrianglePair = std::array<int, 2>; ///< numbers of two triangles, the smaller first
+
+/** Pairs of triangles of one surface that meet outside what they share.
  *
  * Pairs without a common vertex are tested whole; pairs with one common vertex count when the side opposite to it
  * cuts the other triangle; pairs with a common side are skipped. By a tree of bounding boxes, O(nF log nF) for an even
- * mesh. */
+ * mesh. \param mostPairs  the search ends with so many \return in ascending order */
+[[nodiscard]] std::vector<TrianglePair>
+findSelfIntersections(const TriangleMesh & surface, std::size_t mostPairs);
+
+/** The number of all such pairs. */
 [[nodiscard]] std::size_t
 countSelfIntersections(const TriangleMesh & surface);
 

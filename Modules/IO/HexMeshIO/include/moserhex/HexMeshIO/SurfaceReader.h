@@ -4,24 +4,36 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <string>
+#include <vector>
 
 namespace moserhex
 {
+
+struct SurfaceFile
+{
+  TriangleMesh             mesh;     ///< closed, oriented outwards, LPS [mm]
+  std::vector<std::string> warnings; ///< what was repaired or is doubtful, one line each
+};
 
 /** Whether the name ends like a surface this reader takes: .vtk .vtp .stl .obj .ply .off (any case). */
 [[nodiscard]] bool
 isSurfaceName(const std::string & fileName);
 
-/** Reads a closed triangle surface: .vtk .vtp .stl .obj .ply .off, coordinates in LPS millimetres.
+/** Reads the surface of one solid: .vtk .vtp .stl .obj .ply .off, coordinates in LPS millimetres.
  *
- * A legacy .vtk whose second line, or a .vtp whose field data, says SPACE=RAS is turned into LPS. Vertices with equal
- * coordinates are merged (STL repeats them), unused vertices dropped. A surface that is closed and consistently
- * oriented inwards is turned outwards.
+ * A legacy .vtk whose second line, or a file of VTK whose field data, says SPACE=RAS is turned into LPS. Vertices with
+ * equal coordinates are merged (STL repeats them), unused vertices dropped. With a warning: convex polygons are cut
+ * into triangles, repeated and collapsed triangles removed, triangles turned to agree with their neighbours and
+ * outwards; handles (genus), cavities and self-intersections are counted and left to the voxels: inside is where the
+ * winding number is not zero.
  *
- * \throws BadInput  missing or damaged file; polygons other than triangles; non-finite coordinates; an index out of
- *                   range; open, non-manifold or inconsistently oriented; empty or without volume
+ * \throws BadInput  NoInput, Empty, Format, Header, Truncated, Unsupported: missing, damaged or of another kind
+ * (triangle strips, concave polygons); SurfaceNaN; SurfaceIndex; Geometry: beyond 1e6 mm; SurfaceOpen;
+ *                   SurfaceNonManifold: an edge of more than two triangles, not orientable; SurfaceDegenerate: without
+ *                   volume; Topology: several parts, a shell in a shell of the same orientation; SurfaceIntersects: the
+ *                   volume covered and the volume by orientation differ by more than 5 %
  * \throws IOError   the file cannot be opened or read */
-[[nodiscard]] TriangleMesh
+[[nodiscard]] SurfaceFile
 readSurface(const std::string & fileName);
 
 } // namespace moserhex
