@@ -5,6 +5,8 @@
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/LevelSet/SignedDistance.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -3,197 +3,210 @@
 #include "FileNames.h"
 #include "ImageFileCheck.h"
 #include "ImageHeader.h"
+#include "ReaderSandbox.h"
 
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
+#include <itk_zlib.h>
 
-#include <Eigen/SVD>
+#include <algorithm>
+#include <filesystem>
+#include <optional>
 
-#include <cmath>
+#include <stdlib.h>
 
 namespace moserhex
 {
 namespace
 {
 
-constexpr std::size_t mostVoxels = 500'000'000;
+namespace fs = std::filesystem;
 
-ImageFormat
-formatOf(const std::string & fileName)
-{
-  if (endsWith(fileName, ".nrrd"))
-  {
-    return ImageFormat::Nrrd;
-  }
-  if (endsWithAny(fileName, { ".nii", ".nii.gz" }))
-  {
-    return ImageFormat::Nifti;
-  }
-  if (endsWithAny(fileName, { ".mha", ".mhd" }))
-  {
-    return ImageFormat::Meta;
-  }
-  throw BadInput(
-    ErrorCode::Format, fileName, "not the name of an image", "give a .nrrd, .nii, .nii.gz, .mha or .mhd file");
-}
-
-/** The one reader for a format: no factory, so no other parser ever sees the file. */
 itk::ImageIOBase::Pointer
 makeReader(ImageFormat format)
 {
   switch (format)
   {
-    case ImageFormat::Nrrd:
-      return itk::NrrdImageIO::New().GetPointer();
     case ImageFormat::Nifti:
       return itk::NiftiImageIO::New().GetPointer();
     case ImageFormat::Meta:
       return itk::MetaImageIO::New().GetPointer();
+    case ImageFormat::Nrrd:
+      break;
   }
-  return nullptr;
+  return itk::NrrdImageIO::New().GetPointer();
 }
 
+/** A link with a name of our choice to a file, in a folder of its own that goes with it. */
+class PrivateLink
+{
+public:
+  PrivateLink(const std::string & fileName, const std::string & name)
+  {
+    std::string folder = (fs::temp_directory_path() / "moserhex-link-XXXXXX").string();
+    if (!::mkdtemp(folder.data()))
+    {
+      throw IOError(ErrorCode::InputOutput, fileName, "cannot make a link to it in " + folder, "set TMPDIR");
+    }
+    m_Folder = folder;
+    fs::create_symlink(fs::absolute(fileName), m_Folder / name);
+    m_Name = (m_Folder / name).string();
+  }
+  ~PrivateLink()
+  {
+    std::error_code ignored;
+    fs::remove_all(m_Folder, ignored); // the link, not its target
+  }
+  PrivateLink(const PrivateLink &) = delete;
+  PrivateLink &
+  operator=(const PrivateLink &) = delete;
+
+  [[nodiscard]] const std::string &
+  name() const
+  {
+    return m_Name;
+  }
+
+private:
+  fs::path    m_Folder;
+  std::string m_Name;
+};
+
+/** The NIfTI library tells compressed files by their names, in lower case. Under .nii.gz it reads both kinds. */
+bool
+needsLink(const ImageDescription & image)
+{
+  const auto ends = [&image](const std::string & ending) {
+    const std::string & name = image.fileName;
+    return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+  };
+  return image.format == ImageFormat::Nifti && !ends(".nii.gz") &&
+         !(ends(".nii") && beginningOf(image.fileName, 2) != "\x1F\x8B");
+}
+
+bool
+isComponent(itk::ImageIOBase::IOComponentEnum seen, ComponentType expected)
+{
+  using Component = itk::ImageIOBase::IOComponentEnum;
+  switch (seen)
+  {
+    case Component::UCHAR:
+      return expected == ComponentType::UInt8;
+    case Component::CHAR:
+      return expected == ComponentType::Int8;
+    case Component::USHORT:
+      return expected == ComponentType::UInt16;
+    case Component::SHORT:
+      return expected == ComponentType::Int16;
+    case Component::UINT:
+      return expected == ComponentType::UInt32;
+    case Component::INT:
+      return expected == ComponentType::Int32;
+    case Component::ULONG:
+      return expected == (sizeof(unsigned long) == 8 ? ComponentType::UInt64 : ComponentType::UInt32);
+    case Component::LONG:
+      return expected == (sizeof(long) == 8 ? ComponentType::Int64 : ComponentType::Int32);
+    case Component::ULONGLONG:
+      return expected == ComponentType::UInt64;
+    case Component::LONGLONG:
+      return expected == ComponentType::Int64;
+    case Component::FLOAT:
+      return expected == ComponentType::Float32;
+    case Component::DOUBLE:
+      return expected == ComponentType::Float64;
+    default:
+      return false;
+  }
+}
+
+/** Two parsers must agree before a buffer is filled. */
 void
-requireScalarVolume(const std::string & fileName, const itk::ImageIOBase & reader)
+requireSameImage(const ImageDescription & image, const itk::ImageIOBase & reader)
 {
-  for (unsigned int axis = 3; axis < reader.GetNumberOfDimensions(); ++axis)
+  bool          same = isComponent(reader.GetComponentType(), deliveredComponent(image));
+  std::uint64_t values = reader.GetNumberOfComponents();
+  for (unsigned int axis = 0; axis < reader.GetNumberOfDimensions(); ++axis)
   {
-    if (reader.GetDimensions(axis) != 1)
-    {
-      throw BadInput(ErrorCode::Dimension,
-                     fileName,
-                     "a " + std::to_string(reader.GetNumberOfDimensions()) + "-D image, need a 3-D one",
-                     "export one 3-D volume");
-    }
+    const auto size = reader.GetDimensions(axis);
+    same = same && (axis >= 3 || size == static_cast<itk::SizeValueType>(image.grid.size[axis]));
+    values *= size;
   }
-  if (reader.GetNumberOfDimensions() < 3)
+  same = same && values == image.grid.gridVoxels() * static_cast<std::size_t>(image.layers);
+  if (!same)
   {
-    throw BadInput(ErrorCode::Dimension, fileName, "a 2-D image, need a 3-D one", "export one 3-D volume");
-  }
-  if (reader.GetNumberOfComponents() != 1)
-  {
-    throw BadInput(ErrorCode::PixelType,
-                   fileName,
-                   std::to_string(reader.GetNumberOfComponents()) + " values per voxel, need one",
-                   "export one number per voxel");
-  }
-  if (static_cast<std::size_t>(reader.GetImageSizeInPixels()) > mostVoxels)
-  {
-    throw BadInput(ErrorCode::TooBig,
-                   fileName,
-                   std::to_string(reader.GetImageSizeInPixels()) + " voxels, at most " + std::to_string(mostVoxels),
-                   "crop the image around the label");
-  }
-}
-
-/** The nearest orthonormal matrix; headers carry seven digits at best. */
-Matrix3
-orthonormalDirection(const std::string & fileName, const Matrix3 & direction)
-{
-  if (!direction.allFinite())
-  {
-    throw BadInput(ErrorCode::Geometry, fileName, "the direction matrix is not finite", "correct the header");
-  }
-  const Eigen::JacobiSVD<Matrix3> svd(direction, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double                    deviation = (svd.singularValues().array() - 1.0).abs().maxCoeff();
-  if (!(deviation <= 1e-3))
-  {
-    throw BadInput(ErrorCode::Geometry,
-                   fileName,
-                   "the image axes are not at right angles (direction matrix off by " + std::to_string(deviation) + ")",
-                   "resample the image to a rectangular grid");
-  }
-  return svd.matrixU() * svd.matrixV().transpose();
-}
-
-/** Twelve significant digits: the length of a direction vector comes back as 0.49999999999999994 for 0.5. */
-double
-withoutRoundOff(double spacing)
-{
-  const double scale = std::pow(10.0, 12.0 - std::ceil(std::log10(spacing)));
-  return std::round(spacing * scale) / scale;
-}
-
-/** The file's size and place. */
-VoxelGrid
-gridOf(const std::string & fileName, const itk::ImageIOBase & reader)
-{
-  VoxelGrid grid;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    grid.size[axis] = static_cast<int>(reader.GetDimensions(axis));
-    grid.origin[axis] = reader.GetOrigin(axis);
-    const double spacing = reader.GetSpacing(axis);
-    if (!(spacing >= 1e-3 && spacing <= 1e3))
-    {
-      throw BadInput(ErrorCode::Geometry,
-                     fileName,
-                     "voxel size " + std::to_string(spacing) + " mm along axis " + std::to_string(axis + 1) +
-                       ", need 0.001 to 1000",
-                     "correct the header's spacing");
-    }
-    grid.spacing[axis] = withoutRoundOff(spacing);
-    if (!(std::abs(grid.origin[axis]) <= 1e6))
-    {
-      throw BadInput(
-        ErrorCode::Geometry, fileName, "the origin is not finite or above 1e6 mm", "correct the header's origin");
-    }
-    const std::vector<double> column = reader.GetDirection(axis);
-    grid.direction.col(axis) = Vector3(column[0], column[1], column[2]);
-  }
-  grid.direction = orthonormalDirection(fileName, grid.direction);
-  return grid;
-}
-
-/** pixdim and the sform give the voxel's size twice, each rounded to a float. The axes come from the sform, so its
- * lengths count: the volume of a voxel is then the determinant of the file's own matrix. */
-void
-takeColumnLengths(const std::string & fileName, VoxelGrid & grid)
-{
-  constexpr double sameLength = 1e-5;
-  const auto       lengths = niftiColumnLengths(fileName);
-  for (Eigen::Index axis = 0; lengths && axis < 3; ++axis)
-  {
-    const double length = (*lengths)[static_cast<std::size_t>(axis)];
-    if (std::abs(length / grid.spacing[axis] - 1.0) < sameLength)
-    {
-      grid.spacing[axis] = withoutRoundOff(length);
-    }
+    throw BadInput(ErrorCode::ReaderFailed,
+                   image.fileName,
+                   "ITK reads another size or voxel type from the header than the check of it",
+                   "export the image again, for example as .nrrd");
   }
 }
 
 } // namespace
 
-ImageFile
-openImageFile(const std::string & fileName)
+ComponentType
+deliveredComponent(const ImageDescription & image)
 {
-  const ImageFormat format = formatOf(fileName);
-  ImageFile         file;
-  file.name = fileName;
-  file.warnings = checkImageFile(fileName, format);
-  file.reader = makeReader(format);
-  file.reader->SetFileName(fileName);
-  file.reader->ReadImageInformation();
-  requireScalarVolume(fileName, *file.reader);
-  file.grid = gridOf(fileName, *file.reader);
-  if (format == ImageFormat::Nifti)
-  {
-    takeColumnLengths(fileName, file.grid);
-  }
-  itk::ImageIORegion region(file.reader->GetNumberOfDimensions());
-  for (unsigned int axis = 0; axis < file.reader->GetNumberOfDimensions(); ++axis)
-  {
-    region.SetSize(axis, file.reader->GetDimensions(axis));
-  }
-  file.reader->SetIORegion(region);
-  return file;
+  return image.scaled() && image.component != ComponentType::Float64 ? ComponentType::Float32 : image.component;
 }
 
-bool
-isImageFileName(const std::string & fileName)
+void
+readByItk(const ImageDescription & image, void * buffer)
 {
-  return endsWithAny(fileName, { ".nrrd", ".nii", ".nii.gz", ".mha", ".mhd" });
+  std::optional<PrivateLink> link;
+  if (needsLink(image))
+  {
+    link.emplace(image.fileName, "image.nii.gz");
+  }
+  const auto reader = makeReader(image.format);
+  reader->SetFileName(link ? link->name() : image.fileName);
+  reader->ReadImageInformation();
+  requireSameImage(image, *reader);
+  itk::ImageIORegion region(reader->GetNumberOfDimensions());
+  for (unsigned int axis = 0; axis < reader->GetNumberOfDimensions(); ++axis)
+  {
+    region.SetSize(axis, reader->GetDimensions(axis));
+  }
+  reader->SetIORegion(region);
+  reader->Read(buffer);
+}
+
+void
+requireDelivered(const ImageDescription & image, const void * buffer)
+{
+  if (image.scaled())
+  {
+    return;
+  }
+  constexpr std::uint64_t longestPart = 1 << 30; // zlib counts in 32 bits
+  const auto *            bytes = static_cast<const unsigned char *>(buffer);
+  unsigned long           checksum = 0;
+  for (std::uint64_t at = 0; at < image.promisedBytes; at += longestPart)
+  {
+    checksum = crc32(checksum, bytes + at, static_cast<unsigned int>(std::min(longestPart, image.promisedBytes - at)));
+  }
+  if (checksum != image.checksum)
+  {
+    throw BadInput(ErrorCode::ReaderFailed,
+                   image.fileName,
+                   "ITK delivered other voxels than the file holds",
+                   "read it again; if it is not being written, export it in another format");
+  }
+}
+
+ImageDescription
+checkedDescription(const std::string & fileName, bool sandboxed)
+{
+  ImageDescription image = checkImageHeader(fileName, imageFormatOf(fileName));
+  if (sandboxed)
+  {
+    // The buffer here, one inside the library, one of compressed bytes, and the answer.
+    constexpr std::uint64_t overhead = std::uint64_t{ 256 } << 20;
+    const std::uint64_t     widest = std::max<std::uint64_t>(image.promisedBytes, image.grid.gridVoxels() * 4);
+    allowSandboxMemory(overhead + 4 * widest);
+  }
+  checkVoxelBytes(image);
+  return image;
 }
 
 std::string

@@ -1,9 +1,7 @@
 #pragma once
 
+#include "ImageDescription.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
-#include "moserhex/LevelSet/VoxelGrid.h"
-
-#include <itkImageIOBase.h>
 
 #include <new>
 #include <string>
@@ -12,25 +10,32 @@
 namespace moserhex
 {
 
-/** A three-dimensional scalar image: header read and checked, voxels not yet. */
-struct ImageFile
-{
-  std::string               name;
-  itk::ImageIOBase::Pointer reader;
-  VoxelGrid                 grid;     ///< direction orthonormal to round-off
-  std::vector<std::string>  warnings; ///< one line each
-};
+/** What a voxel is when ITK hands it over: the type of the file, or a real number where it applies slope and intercept
+ * (NIfTI): float, or double where the file has doubles. */
+[[nodiscard]] ComponentType
+deliveredComponent(const ImageDescription & image);
 
-/** Opens .nrrd .nii .nii.gz .mha .mhd. Exactly one reader looks at the file, chosen by extension, and only after
- * checkImageFile has passed it.
- * \throws BadInput  see readLabelImage, apart from what it says about the values
- * \throws IOError   the file cannot be opened or read */
-[[nodiscard]] ImageFile
-openImageFile(const std::string & fileName);
+/** Reads the voxels of a checked image into `buffer`, as many deliveredComponent as there are voxels times layers. The
+ * one reader of the format is called by name: no factory, so no other parser ever sees the file.
+ * \throws BadInput (ReaderFailed)  it sees another image than the check did; itk::ExceptionObject */
+void
+readByItk(const ImageDescription & image, void * buffer);
 
-/** Whether openImageFile takes a file of this name. */
-[[nodiscard]] bool
-isImageFileName(const std::string & fileName);
+/** \throws BadInput (ReaderFailed)  ITK delivered other bytes than the file holds. Not known for scaled images. */
+void
+requireDelivered(const ImageDescription & image, const void * buffer);
+
+/** Checks the whole file and calls body(description, std::vector<TVoxel>): the voxels as stored, layers fastest; of
+ * scaled images float, or double where the file has doubles. \param sandboxed  in a child of runInSandbox: memory is
+ * allowed as the header's promises are believed \throws BadInput  see checkImageFile; (ReaderFailed)  ITK refuses the
+ * file or reads other bytes; IOError */
+template <typename TBody>
+void
+withCheckedVoxels(const std::string & fileName, bool sandboxed, const TBody & body);
+
+/** Header, memory, bytes: what withCheckedVoxels does before ITK. */
+[[nodiscard]] ImageDescription
+checkedDescription(const std::string & fileName, bool sandboxed);
 
 /** What a library said, without the place in its source that ITK puts before it. */
 [[nodiscard]] std::string
@@ -56,52 +61,23 @@ withImageErrors(const std::string & fileName, const TRead & read)
   catch (const std::exception & error)
   {
     throw BadInput(
-      ErrorCode::PixelType, fileName, firstLine(error.what()), "export the image again, for example as .nrrd");
+      ErrorCode::ReaderFailed, fileName, firstLine(error.what()), "export the image again, for example as .nrrd");
   }
 }
 
-/** Reads the voxels as they are stored and calls body(std::vector<TVoxel>), TVoxel any arithmetic type.
- * \throws BadInput  an unknown voxel type; itk::ExceptionObject */
 template <typename TBody>
 void
-withVoxels(const ImageFile & file, const TBody & body)
+withCheckedVoxels(const std::string & fileName, bool sandboxed, const TBody & body)
 {
-  const auto readAs = [&](auto zero) {
-    std::vector<decltype(zero)> voxels(file.grid.gridVoxels());
-    file.reader->Read(voxels.data());
-    body(voxels);
-  };
-  using Component = itk::ImageIOBase::IOComponentEnum;
-  switch (file.reader->GetComponentType())
-  {
-    case Component::UCHAR:
-      return readAs(static_cast<unsigned char>(0));
-    case Component::CHAR:
-      return readAs(static_cast<signed char>(0));
-    case Component::USHORT:
-      return readAs(static_cast<unsigned short>(0));
-    case Component::SHORT:
-      return readAs(static_cast<short>(0));
-    case Component::UINT:
-      return readAs(0U);
-    case Component::INT:
-      return readAs(0);
-    case Component::ULONG:
-      return readAs(0UL);
-    case Component::LONG:
-      return readAs(0L);
-    case Component::ULONGLONG:
-      return readAs(0ULL);
-    case Component::LONGLONG:
-      return readAs(0LL);
-    case Component::FLOAT:
-      return readAs(0.0F);
-    case Component::DOUBLE:
-      return readAs(0.0);
-    default:
-      throw BadInput(
-        ErrorCode::PixelType, file.name, "an unknown voxel type", "export one integer or real number per voxel");
-  }
+  withImageErrors(fileName, [&] {
+    const ImageDescription image = checkedDescription(fileName, sandboxed);
+    withComponent(deliveredComponent(image), [&](auto zero) {
+      std::vector<decltype(zero)> voxels(image.grid.gridVoxels() * static_cast<std::size_t>(image.layers));
+      readByItk(image, voxels.data());
+      requireDelivered(image, voxels.data());
+      body(image, voxels);
+    });
+  });
 }
 
 } // namespace moserhex

@@ -1,30 +1,46 @@
 #pragma once
 
+#include "ImageDescription.h"
+
 #include <string>
-#include <vector>
 
 namespace moserhex
 {
 
-/** The image formats, by extension. */
-enum class ImageFormat
-{
-  Nrrd,
-  Nifti,
-  Meta
-};
-
 /** Checks an image file before ITK's reader sees it.
  *
- * ITK 5.2 aborts, hangs or overruns memory on some headers and fills cut NIfTI and MetaImage files with zeros, so:
- * a regular file of its format; every header token of sane length; exactly three dimensions (further ones of size 1
- * allowed in NIfTI); scalar pixels; finite geometry; data in the same file, or for .mhd in one plain file beside it;
- * and as many bytes of data as the header promises, compressed streams decoded to the end with their checksum.
+ * ITK 5.2 aborts, hangs or overruns memory on some headers, accepts contradicting ones and fills cut NIfTI and
+ * MetaImage files with zeros. So nothing goes on to it unless the header and the voxels pass: see checkImageHeader and
+ * checkVoxelBytes. No library but zlib is used here.
  *
- * \return warnings, one line each
  * \throws BadInput, IOError */
-std::vector<std::string>
+ImageDescription
 checkImageFile(const std::string & fileName, ImageFormat format);
+
+/** The first half of checkImageFile, which reads no voxels: a regular file of its format; every token shorter than the
+ * libraries' buffers; fields known, well-formed, given once and agreeing with each other; one number per voxel on a 3-D
+ * grid (axes of size 1 apart, and the layers of a Slicer segmentation); voxel sizes in [1e-3, 1e3] mm, right angles
+ * within 1e-3, finite origin; data in the same file or in one plain file beside it, in the same folder after links are
+ * followed; no more voxels than the library takes or than the bytes can hold.
+ * \throws BadInput, IOError */
+ImageDescription
+checkImageHeader(const std::string & fileName, ImageFormat format);
+
+/** The second half: decodes the voxels to their end, without keeping them. Sets the checksum; bytes after the voxels
+ * are a warning, and of a compressed stream that goes on at most 16 MB more are decoded in search of its own checksum.
+ * \throws BadInput  fewer bytes than promised (Truncated), damaged compressed bytes (Checksum), text that is not
+ * numbers of the voxel type (Header); IOError */
+void
+checkVoxelBytes(ImageDescription & image);
+
+/** The format by the name's ending, or by the content where the name has no ending.
+ * \throws BadInput  neither; content of another kind than the ending says, which is named */
+[[nodiscard]] ImageFormat
+imageFormatOf(const std::string & fileName);
+
+/** Whether imageFormatOf finds a format, without judging the content of files that have an image's ending. */
+[[nodiscard]] bool
+isImageFileName(const std::string & fileName);
 
 /** \throws BadInput unless the name is an existing, non-empty, regular file; IOError when it cannot be opened */
 void

@@ -1,149 +1,174 @@
 #include "moserhex/HexMeshIO/LabelImageReader.h"
 
 #include "ImageFile.h"
+#include "ImageFileCheck.h"
 #include "ImageGrid.h"
-
-#include <itkMetaDataObject.h>
+#include "LabelVoxels.h"
+#include "Parcel.h"
+#include "ReaderSandbox.h"
+#include "Segments.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <limits>
-#include <locale>
-#include <map>
-#include <sstream>
+#include <cstring>
 
 namespace moserhex
 {
 namespace
 {
 
-constexpr std::size_t mostLabels = 4096;
-
-/** The value as a label, or nothing when it is not a whole number or out of range. */
-template <typename TVoxel>
-std::optional<LabelValue>
-asLabel(TVoxel value)
-{
-  using Limits = std::numeric_limits<LabelValue>;
-  if constexpr (std::is_floating_point_v<TVoxel>)
-  {
-    const auto real = static_cast<double>(value);
-    if (!(real >= Limits::min() && real <= Limits::max()) || real != std::floor(real))
-    {
-      return std::nullopt;
-    }
-  }
-  else if constexpr (std::is_signed_v<TVoxel>)
-  {
-    if (static_cast<long long>(value) < Limits::min() || static_cast<long long>(value) > Limits::max())
-    {
-      return std::nullopt;
-    }
-  }
-  else if (static_cast<unsigned long long>(value) > static_cast<unsigned long long>(Limits::max()))
-  {
-    return std::nullopt;
-  }
-  return static_cast<LabelValue>(value);
-}
-
-template <typename TVoxel>
-std::string
-textOf(TVoxel value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(std::numeric_limits<TVoxel>::max_digits10) << +value;
-  return text.str();
-}
-
-/** Sets the labels of an image from the voxels of a file. */
-template <typename TVoxel>
 void
-copyLabels(const std::string & fileName, const std::vector<TVoxel> & voxels, LabelImageType & image)
+requireUsable(const std::string & fileName, const LabelReadOptions & options)
 {
-  LabelValue * labels = image.GetBufferPointer();
-  if constexpr (std::is_integral_v<TVoxel> && sizeof(TVoxel) < sizeof(LabelValue))
+  if (options.threshold && options.segment)
   {
-    std::copy(voxels.begin(), voxels.end(), labels); // all values are labels
-    return;
+    throw InvalidInput(ErrorCode::Usage,
+                       fileMessage(fileName, "both a threshold and a segment are wanted", "give one of the two"));
   }
-  for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
+  if (options.threshold && !std::isfinite(*options.threshold))
   {
-    const std::optional<LabelValue> label = asLabel(voxels[voxel]);
-    if (!label)
-    {
-      throw BadInput(ErrorCode::Labels,
-                     fileName,
-                     "voxel " + std::to_string(voxel) + " holds " + textOf(voxels[voxel]) +
-                       ", which is not a label (a whole number of 32 bits)",
-                     "save integer labels, not probabilities or intensities");
-    }
-    labels[voxel] = *label;
+    throw InvalidInput(ErrorCode::Usage, fileMessage(fileName, "the threshold is not finite", "give a number"));
   }
 }
 
+/** The labels to report, named by their segments. \throws BadInput (EmptyLabel)  none */
 std::vector<LabelEntry>
-countLabels(const std::string & fileName, const LabelImageType & image)
+labelEntries(const ImageDescription &          image,
+             const LabelVoxels &               labels,
+             const LabelRules &                rules,
+             const std::vector<SegmentEntry> & segments)
 {
-  std::map<LabelValue, std::size_t> counts;
-  const LabelValue *                voxel = image.GetBufferPointer();
-  const LabelValue * const          end = voxel + image.GetLargestPossibleRegion().GetNumberOfPixels();
-  while (voxel != end)
+  std::vector<LabelEntry> entries;
+  for (const auto & [value, voxels] : labels.counts[static_cast<std::size_t>(rules.layer)])
   {
-    const LabelValue * const run = voxel;
-    while (voxel != end && *voxel == *run)
+    if (value == 0 || (rules.only && value != *rules.only))
     {
-      ++voxel;
+      continue;
     }
-    counts[*run] += static_cast<std::size_t>(voxel - run);
-    if (counts.size() > mostLabels)
-    {
-      throw BadInput(ErrorCode::Labels,
-                     fileName,
-                     "more than " + std::to_string(mostLabels) + " different values: an image, not a labelmap",
-                     "give the segmentation");
-    }
+    const auto segment = std::find_if(segments.begin(), segments.end(), [&, own = value](const SegmentEntry & one) {
+      return one.layer == rules.layer && one.value == own && !rules.threshold;
+    });
+    entries.push_back({ value, voxels, segment == segments.end() ? "" : segment->name });
   }
-  std::vector<LabelEntry> labels;
-  for (const auto & [value, voxels] : counts)
+  if (entries.empty())
   {
-    if (value != 0)
-    {
-      labels.push_back({ value, voxels, "" });
-    }
+    throw BadInput(ErrorCode::EmptyLabel,
+                   image.fileName,
+                   rules.threshold ? "no voxel reaches the threshold"
+                                   : (rules.only ? "the segment has no voxels" : "no voxel differs from 0"),
+                   rules.threshold ? "give a smaller threshold" : "give a labelmap with at least one label");
   }
-  if (labels.empty())
-  {
-    throw BadInput(
-      ErrorCode::EmptyLabel, fileName, "no voxel differs from 0", "give a labelmap with at least one label");
-  }
-  return labels;
+  return entries;
 }
 
-/** Slicer's SegmentN_LabelValue and SegmentN_Name. */
-void
-addSegmentNames(const itk::MetaDataDictionary & dictionary, std::vector<LabelEntry> & labels)
+/** Everything about a labelmap but its file name: voxels first, so that they need not be moved. */
+std::string
+pack(const ImageDescription &          image,
+     LabelVoxels                       labels,
+     const std::vector<LabelEntry> &   entries,
+     const std::vector<SegmentEntry> & segments)
 {
-  for (std::size_t segment = 0; segment < mostLabels; ++segment)
+  const std::uint64_t begin = labels.bytes.size();
+  ParcelWriter        parcel(std::move(labels.bytes));
+  parcel.put(image.grid);
+  parcel.put(labels.width);
+  parcel.put(image.warnings);
+  parcel.put(std::uint64_t{ entries.size() });
+  for (const LabelEntry & entry : entries)
   {
-    const std::string prefix = "Segment" + std::to_string(segment) + "_";
-    std::string       value;
-    std::string       name;
-    if (!itk::ExposeMetaData(dictionary, prefix + "LabelValue", value))
-    {
-      return;
-    }
-    itk::ExposeMetaData(dictionary, prefix + "Name", name);
-    for (LabelEntry & label : labels)
-    {
-      if (std::to_string(label.value) == value && label.name.empty())
-      {
-        label.name = name;
-      }
-    }
+    parcel.put(entry.value);
+    parcel.put(std::uint64_t{ entry.voxels });
+    parcel.put(entry.name);
   }
+  parcel.put(std::uint64_t{ segments.size() });
+  for (const SegmentEntry & segment : segments)
+  {
+    parcel.put(segment.name);
+    parcel.put(segment.id);
+    parcel.put(segment.layer);
+    parcel.put(segment.value);
+    parcel.put(std::uint64_t{ segment.voxels });
+  }
+  parcel.put(begin);
+  return parcel.take();
+}
+
+template <typename TLabel>
+void
+widen(const std::string & bytes, LabelImageType & image)
+{
+  LabelValue * const labels = image.GetBufferPointer();
+  const std::size_t  count = image.GetLargestPossibleRegion().GetNumberOfPixels();
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    TLabel narrow;
+    std::memcpy(&narrow, bytes.data() + n * sizeof narrow, sizeof narrow);
+    labels[n] = static_cast<LabelValue>(narrow);
+  }
+}
+
+LabelImage
+unpack(const std::string & fileName, const std::string & bytes)
+{
+  const auto      begin = ParcelReader(bytes, bytes.size() - sizeof(std::uint64_t)).number<std::uint64_t>();
+  ParcelReader    parcel(bytes, static_cast<std::size_t>(begin));
+  const VoxelGrid grid = parcel.grid();
+  const auto      width = parcel.number<std::uint8_t>();
+  if (begin != grid.gridVoxels() * width)
+  {
+    throw std::out_of_range("the reader's answer does not fit its sizes");
+  }
+  LabelImage result{ fileName, imageOnGrid<LabelImageType>(grid), {}, parcel.texts(), {} };
+  for (auto count = parcel.number<std::uint64_t>(); count > 0; --count)
+  {
+    LabelEntry entry;
+    entry.value = parcel.number<LabelValue>();
+    entry.voxels = static_cast<std::size_t>(parcel.number<std::uint64_t>());
+    entry.name = parcel.text();
+    result.labels.push_back(entry);
+  }
+  for (auto count = parcel.number<std::uint64_t>(); count > 0; --count)
+  {
+    SegmentEntry segment;
+    segment.name = parcel.text();
+    segment.id = parcel.text();
+    segment.layer = parcel.number<int>();
+    segment.value = parcel.number<LabelValue>();
+    segment.voxels = static_cast<std::size_t>(parcel.number<std::uint64_t>());
+    result.segments.push_back(segment);
+  }
+  width == 1 ? widen<std::uint8_t>(bytes, *result.image)
+             : (width == 2 ? widen<std::uint16_t>(bytes, *result.image) : widen<std::uint32_t>(bytes, *result.image));
+  return result;
+}
+
+/** Reads, checks and packs. */
+std::string
+packedLabels(const std::string & fileName, const LabelReadOptions & options)
+{
+  std::string parcel;
+  withCheckedVoxels(fileName, options.sandbox, [&](const ImageDescription & description, const auto & values) {
+    ImageDescription          image = description;
+    std::vector<SegmentEntry> segments = segmentsOf(image);
+    const auto                chosen = chosenSegment(image, segments, options.segment);
+    LabelRules                rules;
+    rules.threshold = options.threshold;
+    if (chosen)
+    {
+      rules.layer = segments[*chosen].layer;
+      rules.only = segments[*chosen].value;
+    }
+    LabelVoxels labels = labelsFrom(image, values, rules);
+    for (SegmentEntry & segment : segments)
+    {
+      const auto & counts = labels.counts[static_cast<std::size_t>(segment.layer)];
+      const auto   count = counts.find(segment.value);
+      segment.voxels = count == counts.end() || rules.threshold ? 0 : count->second;
+    }
+    const auto entries = labelEntries(image, labels, rules, segments);
+    parcel = pack(image, std::move(labels), entries, segments);
+  });
+  return parcel;
 }
 
 } // namespace
@@ -155,15 +180,12 @@ isLabelImageName(const std::string & fileName)
 }
 
 LabelImage
-readLabelImage(const std::string & fileName)
+readLabelImage(const std::string & fileName, const LabelReadOptions & options)
 {
-  return withImageErrors(fileName, [&fileName] {
-    const ImageFile file = openImageFile(fileName);
-    LabelImage      result{ fileName, imageOnGrid<LabelImageType>(file.grid), {}, file.warnings };
-    withVoxels(file, [&](const auto & voxels) { copyLabels(fileName, voxels, *result.image); });
-    result.labels = countLabels(fileName, *result.image);
-    addSegmentNames(file.reader->GetMetaDataDictionary(), result.labels);
-    return result;
+  requireUsable(fileName, options);
+  return withImageErrors(fileName, [&] {
+    const auto work = [&] { return packedLabels(fileName, options); };
+    return unpack(fileName, options.sandbox ? runInSandbox(fileName, {}, work) : work());
   });
 }
 
@@ -195,16 +217,34 @@ chooseLabel(const LabelImage & image, const std::optional<LabelValue> & wanted)
     "choose one with --label");
 }
 
+namespace
+{
+
+template <typename TInside>
 LabelVolume
-labelVolumeOf(const LabelImageType & image, LabelValue label)
+volumeWhere(const LabelImageType & image, const TInside & isInside)
 {
   LabelVolume        volume{ voxelGridOf(image), {} };
   const LabelValue * voxels = image.GetBufferPointer();
   volume.inside.resize(volume.gridVoxels());
-  std::transform(voxels, voxels + volume.inside.size(), volume.inside.begin(), [label](LabelValue value) {
-    return static_cast<std::uint8_t>(value == label ? 1 : 0);
+  std::transform(voxels, voxels + volume.inside.size(), volume.inside.begin(), [&isInside](LabelValue value) {
+    return static_cast<std::uint8_t>(isInside(value) ? 1 : 0);
   });
   return volume;
+}
+
+} // namespace
+
+LabelVolume
+labelVolumeOf(const LabelImageType & image, LabelValue label)
+{
+  return volumeWhere(image, [label](LabelValue value) { return value == label; });
+}
+
+LabelVolume
+labelVolumeOfAll(const LabelImageType & image)
+{
+  return volumeWhere(image, [](LabelValue value) { return value != 0; });
 }
 
 LabelImageType::Pointer

@@ -1,13 +1,11 @@
-#include "ImageHeader.h"
-
 #include "ByteSource.h"
+#include "ImageHeader.h"
+#include "NiftiGeometry.h"
+#include "NiftiHeader.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
+#include <limits>
 #include <map>
 
 namespace moserhex
@@ -15,195 +13,216 @@ namespace moserhex
 namespace
 {
 
-namespace fs = std::filesystem;
+constexpr double mostExtensionBytes = 1e7;
 
-/** The 348 bytes of a NIfTI-1 header in either byte order. */
-class NiftiHeader
+/** Sizes of the first three axes. \throws BadInput  see checkImageHeader */
+std::vector<std::uint64_t>
+niftiSizes(const std::string & file, const NiftiHeader & header)
 {
-public:
-  static constexpr std::size_t size = 348;
-
-  NiftiHeader(const std::string & file, const std::array<char, size> & bytes) : m_Bytes(bytes)
-  {
-    m_Swap = integer<std::int32_t>(0) != 348;
-    if (integer<std::int32_t>(0) != 348 || std::memcmp(m_Bytes.data() + 344, "n+1", 4) != 0)
-    {
-      throw BadInput(
-        ErrorCode::Format, file, "the content is not NIfTI-1 in one file", "export the image as .nii.gz or .nrrd");
-    }
-  }
-
-  template <typename T>
-  [[nodiscard]] T
-  integer(std::size_t offset) const
-  {
-    return read<T>(offset);
-  }
-
-  [[nodiscard]] double
-  real(std::size_t offset) const
-  {
-    return static_cast<double>(read<float>(offset));
-  }
-
-private:
-  template <typename T>
-  [[nodiscard]] T
-  read(std::size_t offset) const
-  {
-    std::array<char, sizeof(T)> bytes;
-    std::copy_n(m_Bytes.begin() + static_cast<std::ptrdiff_t>(offset), sizeof(T), bytes.begin());
-    if (m_Swap)
-    {
-      std::reverse(bytes.begin(), bytes.end());
-    }
-    T value;
-    std::memcpy(&value, bytes.data(), sizeof(T));
-    return value;
-  }
-
-  std::array<char, size> m_Bytes;
-  bool                   m_Swap{ false };
-};
-
-std::uint64_t
-niftiPromisedBytes(const std::string & file, const NiftiHeader & header)
-{
-  // Offsets of the NIfTI-1 header: dim 40, datatype 70, bitpix 72, pixdim 76.
-  const int dimensions = header.integer<std::int16_t>(40);
+  const int dimensions = header.dimension(0);
   if (dimensions < 1 || dimensions > 7)
   {
-    throw BadInput(ErrorCode::NotHexahedra,
-                   file,
-                   "the header gives " + std::to_string(dimensions) + " dimensions",
-                   exportScalarVolume);
+    throwHeader(file, "dim[0] is " + std::to_string(dimensions) + ", need 3");
   }
-  std::vector<std::string> sizes;
+  std::vector<std::uint64_t> sizes;
+  double                     voxels = 1.0;
   for (int axis = 1; axis <= dimensions; ++axis)
   {
-    const int count = header.integer<std::int16_t>(40 + 2 * static_cast<std::size_t>(axis));
-    if (axis <= 3)
+    const int count = header.dimension(static_cast<std::size_t>(axis));
+    if (count < 1)
     {
-      sizes.push_back(std::to_string(count));
+      throwHeader(file, "dim[" + std::to_string(axis) + "] is " + std::to_string(count));
     }
-    else if (count != 1)
-    {
-      throw BadInput(ErrorCode::Dimension,
-                     file,
-                     "a " + std::to_string(dimensions) + "-D image (axis " + std::to_string(axis) + " has size " +
-                       std::to_string(count) + "), need a 3-D image",
-                     exportScalarVolume);
-    }
+    sizes.push_back(static_cast<std::uint64_t>(count));
+    voxels *= count;
   }
-  // Bytes of the scalar types: integers of 1 to 8 bytes, float, double.
-  static const std::map<int, int> bytesOfType{ { 2, 1 },   { 4, 2 },   { 8, 4 },   { 16, 4 },   { 64, 8 },
-                                               { 256, 1 }, { 512, 2 }, { 768, 4 }, { 1024, 8 }, { 1280, 8 } };
-  const int                       type = header.integer<std::int16_t>(70);
-  const int                       bits = header.integer<std::int16_t>(72);
-  const auto                      entry = bytesOfType.find(type);
-  if (entry == bytesOfType.end() || bits != 8 * entry->second)
+  if (dimensions < 3)
   {
-    throw BadInput(ErrorCode::PixelType,
+    throw BadInput(
+      ErrorCode::Dimension, file, "a " + std::to_string(dimensions) + "-D image, need a 3-D image", exportScalarVolume);
+  }
+  for (std::size_t axis = 3; axis < sizes.size() && voxels < 1e15; ++axis)
+  {
+    if (sizes[axis] == 1)
+    {
+      continue;
+    }
+    const std::string count = std::to_string(sizes[axis]);
+    throw BadInput(axis == 4 ? ErrorCode::PixelType : ErrorCode::Dimension,
                    file,
-                   "data type " + std::to_string(type) + " with " + std::to_string(bits) +
-                     " bits per voxel is not a scalar image",
+                   axis == 4
+                     ? count + " values per voxel (dim[5]), need one"
+                     : "a " + std::to_string(dimensions) + "-D image of " + count + " volumes, need a 3-D image",
                    exportScalarVolume);
   }
-  return promisedBytes(file, sizes, static_cast<std::uint64_t>(bits) / 8);
+  if (voxels >= 1e15)
+  {
+    throw BadInput(
+      ErrorCode::TooBig, file, "the sizes multiply to more than 1e15 voxels", "crop the image around the label");
+  }
+  sizes.resize(3);
+  return sizes;
+}
+
+ComponentType
+niftiComponentType(const std::string & file, const NiftiHeader & header)
+{
+  struct Type
+  {
+    ComponentType component;
+    int           bits;
+  };
+  static const std::map<int, Type> types{
+    { 2, { ComponentType::UInt8, 8 } },     { 4, { ComponentType::Int16, 16 } },
+    { 8, { ComponentType::Int32, 32 } },    { 16, { ComponentType::Float32, 32 } },
+    { 64, { ComponentType::Float64, 64 } }, { 256, { ComponentType::Int8, 8 } },
+    { 512, { ComponentType::UInt16, 16 } }, { 768, { ComponentType::UInt32, 32 } },
+    { 1024, { ComponentType::Int64, 64 } }, { 1280, { ComponentType::UInt64, 64 } }
+  };
+  static const std::map<int, const char *> others{ { 32, "complex" },
+                                                   { 128, "RGB" },
+                                                   { 1792, "complex" },
+                                                   { 2304, "RGBA" },
+                                                   { 1, "1 bit" },
+                                                   { 1536, "128-bit real" },
+                                                   { 2048, "complex of 256 bits" } };
+  const auto                               entry = types.find(header.dataType());
+  if (entry != types.end())
+  {
+    if (header.bitsPerVoxel() != entry->second.bits)
+    {
+      throwHeader(file,
+                  "bitpix is " + std::to_string(header.bitsPerVoxel()) + " for datatype " +
+                    std::to_string(header.dataType()));
+    }
+    return entry->second.component;
+  }
+  const auto other = others.find(header.dataType());
+  if (other == others.end())
+  {
+    throwHeader(file, "datatype " + std::to_string(header.dataType()) + " is unknown");
+  }
+  const bool rare = header.dataType() == 1 || header.dataType() == 1536 || header.dataType() == 2048;
+  throw BadInput(rare ? ErrorCode::Unsupported : ErrorCode::PixelType,
+                 file,
+                 std::string("datatype ") + other->second + ", need one number per voxel",
+                 exportScalarVolume);
+}
+
+/** Walks through the extensions between header and voxels. */
+void
+requireExtensions(const std::string & file, const NiftiHeader & header, std::uint64_t end, ByteSource & source)
+{
+  std::uint64_t at = NiftiHeader::size + 4;
+  while (header.hasExtensions() && at + 8 <= end)
+  {
+    char sizeAndCode[8];
+    if (source.read(sizeAndCode, sizeof sizeAndCode) != sizeof sizeAndCode)
+    {
+      throw BadInput(ErrorCode::Truncated, file, "the file ends within its header", copyAgain);
+    }
+    if (header.swapped())
+    {
+      std::reverse(sizeAndCode, sizeAndCode + 4);
+    }
+    std::int32_t size = 0;
+    std::memcpy(&size, sizeAndCode, sizeof size);
+    if (size < 8 || static_cast<std::uint64_t>(size) > end - at)
+    {
+      throwHeader(file,
+                  "an extension of " + std::to_string(size) + " bytes where " + std::to_string(end - at) +
+                    " are left before the voxels");
+    }
+    (void)source.skip(static_cast<std::uint64_t>(size) - sizeof sizeAndCode);
+    at += static_cast<std::uint64_t>(size);
+  }
 }
 
 void
-requireNiftiGeometry(const std::string & file, const NiftiHeader & header)
+setScale(const NiftiHeader & header, ImageDescription & image)
 {
-  // pixdim[0..7] at 76, vox_offset 108, quaternion and offset 256..280, rows of the sform 280..328.
-  std::vector<std::size_t> offsets{ 108 };
-  for (std::size_t offset = 76; offset < 108; offset += 4)
+  const double slope = header.slope();
+  const double intercept = header.intercept();
+  if (!std::isfinite(slope) || !std::isfinite(intercept))
   {
-    offsets.push_back(offset);
+    // As the NIfTI library does.
+    image.warnings.push_back(image.fileName + ": scl_slope or scl_inter is not finite: values taken unscaled");
+    return;
   }
-  for (std::size_t offset = 256; offset < 328; offset += 4)
+  if (slope == 0.0)
   {
-    offsets.push_back(offset);
+    return;
   }
-  for (const std::size_t offset : offsets)
+  if (std::abs(slope) < std::numeric_limits<double>::epsilon() || std::abs(slope) > 1e9 || std::abs(intercept) > 1e9)
   {
-    if (!(std::abs(header.real(offset)) < 1e9))
-    {
-      throw BadInput(ErrorCode::Geometry,
-                     file,
-                     "the header's geometry holds a number that is not finite or above 1e9",
-                     "correct the header");
-    }
+    throwHeader(image.fileName, "scl_slope or scl_inter is not plausible");
   }
-  for (std::size_t axis = 1; axis <= 3; ++axis)
-  {
-    const double spacing = header.real(76 + 4 * axis);
-    if (!(spacing > 0.0))
-    {
-      throw BadInput(ErrorCode::Geometry,
-                     file,
-                     "voxel size " + std::to_string(spacing) + " along axis " + std::to_string(axis),
-                     "set pixdim to the voxel size in mm");
-    }
-  }
-}
-
-NiftiHeader
-readHeader(const std::string & file, GzipFile & source)
-{
-  std::array<char, NiftiHeader::size> bytes{};
-  if (source.read(bytes.data(), bytes.size()) != bytes.size())
-  {
-    throw BadInput(ErrorCode::Truncated, file, "the file ends within its header", copyAgain);
-  }
-  return NiftiHeader(file, bytes);
+  image.slope = slope;
+  image.intercept = intercept;
 }
 
 } // namespace
 
-std::optional<std::array<double, 3>>
-niftiColumnLengths(const std::string & file)
+NiftiHeader::NiftiHeader(const std::string & file, const std::string & bytes) : m_Bytes(bytes)
 {
-  GzipFile          source(file);
-  const NiftiHeader header = readHeader(file, source);
-  if (header.integer<std::int16_t>(254) <= 0) // sform_code
+  m_Swap = read<std::int32_t>(0) != 348;
+  const std::string magic(m_Bytes, 344, 4);
+  m_Swap = m_Swap && read<std::int32_t>(0) == 348;
+  if (read<std::int32_t>(0) != 348)
   {
-    return std::nullopt;
+    const bool two = m_Bytes.compare(4, 3, "n+2") == 0 || m_Bytes.compare(4, 3, "ni2") == 0;
+    throw BadInput(two ? ErrorCode::Unsupported : ErrorCode::Format,
+                   file,
+                   two ? "the content is NIfTI-2" : "the content is not NIfTI-1",
+                   "export the image as NIfTI-1 (.nii.gz) or .nrrd");
   }
-  std::array<double, 3> lengths{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  if (magic == std::string("ni1\0", 4))
   {
-    const std::size_t place = 280 + 4 * axis; // of the first of three rows of 16 bytes
-    lengths[axis] = std::hypot(header.real(place), header.real(place + 16), header.real(place + 32));
+    throw BadInput(ErrorCode::Reference, file, "the voxels are in another file (.img)", "convert to .nii.gz");
   }
-  return lengths;
+  if (magic != std::string("n+1\0", 4))
+  {
+    throw BadInput(ErrorCode::Format,
+                   file,
+                   "no NIfTI-1 magic: an ANALYZE image has no orientation",
+                   "export the image as .nii.gz or .nrrd");
+  }
 }
 
-std::vector<std::string>
-checkNiftiFile(const std::string & file)
+ImageDescription
+checkNiftiHeader(const std::string & file)
 {
-  GzipFile          source(file);
-  const NiftiHeader header = readHeader(file, source);
-  requireNiftiGeometry(file, header);
-  const std::uint64_t voxelBytes = niftiPromisedBytes(file, header);
-  const double        offset = header.real(108);
-  if (!(offset >= 352.0 && offset <= 1e7))
+  ByteSource  source(file, ByteSource::Coding::GzipOrPlain);
+  std::string bytes(NiftiHeader::size + 4, '\0');
+  bytes.resize(source.read(bytes.data(), bytes.size()));
+  const bool begins = bytes.size() >= 4 && (bytes.compare(0, 4, std::string("\x5c\1\0\0", 4)) == 0 ||
+                                            bytes.compare(0, 4, std::string("\0\0\1\x5c", 4)) == 0);
+  if (bytes.size() < NiftiHeader::size + 4)
   {
-    throw BadInput(
-      ErrorCode::Truncated, file, "data offset " + std::to_string(offset) + ", need 352 or more", "correct the header");
+    throw BadInput(begins ? ErrorCode::Truncated : ErrorCode::Format,
+                   file,
+                   begins ? "the file ends within its header" : "the content is not NIfTI-1",
+                   begins ? copyAgain : "check that the name's ending fits the format");
   }
-  if (voxelBytes / deflateLimit > fs::file_size(file))
+  const NiftiHeader header(file, bytes);
+  ImageDescription  image;
+  image.fileName = file;
+  image.dataFile = file;
+  image.format = ImageFormat::Nifti;
+  image.encoding = VoxelEncoding::GzipOrRaw;
+  image.swapped = header.swapped();
+  setVoxels(image, niftiSizes(file, header), niftiComponentType(file, header), 1);
+  const double offset = header.voxelOffset();
+  if (!(offset >= 352.0 && offset <= mostExtensionBytes && offset == std::floor(offset)))
   {
-    throw BadInput(ErrorCode::Truncated, file, "the header promises more voxels than the file can hold", copyAgain);
+    throwHeader(file, "vox_offset is " + std::to_string(offset) + ", need a whole number from 352 to 1e7");
   }
-  const auto          begin = static_cast<std::uint64_t>(offset);
-  const std::uint64_t total = NiftiHeader::size + source.skipToEnd();
-  requireData(file, voxelBytes, total > begin ? total - begin : 0);
-  if (total > begin + voxelBytes)
-  {
-    return { file + ": " + std::to_string(total - begin - voxelBytes) + " bytes after the voxels were ignored" };
-  }
-  return {};
+  image.dataBegin = static_cast<std::uint64_t>(offset);
+  setNiftiGeometry(header, image);
+  setScale(header, image);
+  requireExtensions(file, header, image.dataBegin, source);
+  requirePlausibleSize(image);
+  return image;
 }
 
 } // namespace moserhex

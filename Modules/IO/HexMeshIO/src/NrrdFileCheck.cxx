@@ -1,11 +1,12 @@
 #include "ImageHeader.h"
-
-#include "ByteSource.h"
+#include "NrrdHeader.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
-#include <fstream>
-#include <map>
+#include <limits>
+#include <optional>
 
 namespace moserhex
 {
@@ -14,179 +15,419 @@ namespace
 
 namespace fs = std::filesystem;
 
-// Below the 1000 characters of NrrdIO's message buffer.
-constexpr std::size_t longestNrrdField = 500;
-constexpr std::size_t longestHeader = 1 << 20;
-
-std::uint64_t
-nrrdBytesPerVoxel(const std::string & file, const std::string & type)
+ComponentType
+nrrdComponentType(const std::string & file, const std::string & type)
 {
-  static const std::map<std::string, std::uint64_t> sizes{ { "char", 1 },
-                                                           { "signed char", 1 },
-                                                           { "int8", 1 },
-                                                           { "int8_t", 1 },
-                                                           { "uchar", 1 },
-                                                           { "unsigned char", 1 },
-                                                           { "uint8", 1 },
-                                                           { "uint8_t", 1 },
-                                                           { "short", 2 },
-                                                           { "short int", 2 },
-                                                           { "signed short", 2 },
-                                                           { "signed short int", 2 },
-                                                           { "int16", 2 },
-                                                           { "int16_t", 2 },
-                                                           { "ushort", 2 },
-                                                           { "unsigned short", 2 },
-                                                           { "unsigned short int", 2 },
-                                                           { "uint16", 2 },
-                                                           { "uint16_t", 2 },
-                                                           { "int", 4 },
-                                                           { "signed int", 4 },
-                                                           { "int32", 4 },
-                                                           { "int32_t", 4 },
-                                                           { "uint", 4 },
-                                                           { "unsigned int", 4 },
-                                                           { "uint32", 4 },
-                                                           { "uint32_t", 4 },
-                                                           { "longlong", 8 },
-                                                           { "long long", 8 },
-                                                           { "long long int", 8 },
-                                                           { "signed long long", 8 },
-                                                           { "signed long long int", 8 },
-                                                           { "int64", 8 },
-                                                           { "int64_t", 8 },
-                                                           { "ulonglong", 8 },
-                                                           { "unsigned long long", 8 },
-                                                           { "unsigned long long int", 8 },
-                                                           { "uint64", 8 },
-                                                           { "uint64_t", 8 },
-                                                           { "float", 4 },
-                                                           { "double", 8 } };
-  const auto                                        entry = sizes.find(lowerCase(type));
-  if (entry == sizes.end())
+  static const std::map<std::string, ComponentType> types{ { "char", ComponentType::Int8 },
+                                                           { "signed char", ComponentType::Int8 },
+                                                           { "int8", ComponentType::Int8 },
+                                                           { "int8_t", ComponentType::Int8 },
+                                                           { "uchar", ComponentType::UInt8 },
+                                                           { "unsigned char", ComponentType::UInt8 },
+                                                           { "uint8", ComponentType::UInt8 },
+                                                           { "uint8_t", ComponentType::UInt8 },
+                                                           { "short", ComponentType::Int16 },
+                                                           { "short int", ComponentType::Int16 },
+                                                           { "signed short", ComponentType::Int16 },
+                                                           { "signed short int", ComponentType::Int16 },
+                                                           { "int16", ComponentType::Int16 },
+                                                           { "int16_t", ComponentType::Int16 },
+                                                           { "ushort", ComponentType::UInt16 },
+                                                           { "unsigned short", ComponentType::UInt16 },
+                                                           { "unsigned short int", ComponentType::UInt16 },
+                                                           { "uint16", ComponentType::UInt16 },
+                                                           { "uint16_t", ComponentType::UInt16 },
+                                                           { "int", ComponentType::Int32 },
+                                                           { "signed int", ComponentType::Int32 },
+                                                           { "int32", ComponentType::Int32 },
+                                                           { "int32_t", ComponentType::Int32 },
+                                                           { "uint", ComponentType::UInt32 },
+                                                           { "unsigned int", ComponentType::UInt32 },
+                                                           { "uint32", ComponentType::UInt32 },
+                                                           { "uint32_t", ComponentType::UInt32 },
+                                                           { "longlong", ComponentType::Int64 },
+                                                           { "long long", ComponentType::Int64 },
+                                                           { "long long int", ComponentType::Int64 },
+                                                           { "signed long long", ComponentType::Int64 },
+                                                           { "signed long long int", ComponentType::Int64 },
+                                                           { "int64", ComponentType::Int64 },
+                                                           { "int64_t", ComponentType::Int64 },
+                                                           { "ulonglong", ComponentType::UInt64 },
+                                                           { "unsigned long long", ComponentType::UInt64 },
+                                                           { "unsigned long long int", ComponentType::UInt64 },
+                                                           { "uint64", ComponentType::UInt64 },
+                                                           { "uint64_t", ComponentType::UInt64 },
+                                                           { "float", ComponentType::Float32 },
+                                                           { "double", ComponentType::Float64 } };
+  const auto                                        entry = types.find(lowerCase(type));
+  if (entry != types.end())
   {
-    throw BadInput(
-      ErrorCode::PixelType, file, "voxel type '" + type.substr(0, 30) + "'", "export integer labels, one per voxel");
+    return entry->second;
+  }
+  if (lowerCase(type) == "block")
+  {
+    throw BadInput(ErrorCode::PixelType, file, "voxel type 'block'", "export integer labels, one per voxel");
+  }
+  throwHeader(file, "voxel type " + quoted(type) + " is unknown");
+}
+
+using SpaceVector = std::optional<std::vector<double>>;
+
+/** "(a,b,c) none (d,e,f)". \throws BadInput (Header) */
+std::vector<SpaceVector>
+vectorsOf(const std::string & file, const std::string & field, const std::string & text)
+{
+  std::vector<SpaceVector> vectors;
+  std::size_t              at = 0;
+  while ((at = text.find_first_not_of(" \t", at)) != std::string::npos)
+  {
+    if (text.compare(at, 4, "none") == 0)
+    {
+      vectors.emplace_back(std::nullopt);
+      at += 4;
+      continue;
+    }
+    const auto end = text.find(')', at);
+    if (text[at] != '(' || end == std::string::npos)
+    {
+      throwHeader(file, field + " is " + quoted(text.substr(at)) + ", need (x,y,z) or none");
+    }
+    std::string inside = text.substr(at + 1, end - at - 1);
+    const auto  commas = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), ','));
+    std::replace(inside.begin(), inside.end(), ',', ' ');
+    vectors.emplace_back(numbersOf(file, field, inside, commas + 1));
+    if (commas != 2)
+    {
+      throwHeader(file, field + " holds a vector of " + std::to_string(commas + 1) + " components, need 3");
+    }
+    at = end + 1;
+  }
+  return vectors;
+}
+
+/** The factors that turn a space into LPS. */
+Vector3
+nrrdSpace(const NrrdHeader & header, ImageDescription & image)
+{
+  const std::string space = lowerCase(header.get("space"));
+  if (header.has("space") && header.has("space dimension"))
+  {
+    throwHeader(image.fileName, "both 'space' and 'space dimension' are given");
+  }
+  if (header.has("space dimension") && header.get("space dimension") != "3")
+  {
+    throw BadInput(ErrorCode::Dimension,
+                   image.fileName,
+                   "space dimension " + quoted(header.get("space dimension")) + ", need 3",
+                   exportScalarVolume);
+  }
+  if (space == "left-posterior-superior" || space == "lps")
+  {
+    return Vector3(1.0, 1.0, 1.0);
+  }
+  if (space == "right-anterior-superior" || space == "ras")
+  {
+    return Vector3(-1.0, -1.0, 1.0);
+  }
+  if (space == "left-anterior-superior" || space == "las")
+  {
+    return Vector3(1.0, -1.0, 1.0);
+  }
+  if (space.empty())
+  {
+    image.warnings.push_back(image.fileName + ": the header names no anatomical space: axes taken as LPS");
+  }
+  else if (space == "scanner-xyz" || space == "3d-right-handed" || space == "3d-left-handed")
+  {
+    image.warnings.push_back(image.fileName + ": the space " + space + " is not anatomical: axes taken as LPS");
+  }
+  else
+  {
+    const bool timed = space.find("time") != std::string::npos || space.size() == 4;
+    throw BadInput(timed ? ErrorCode::Dimension : ErrorCode::Header,
+                   image.fileName,
+                   "space " + quoted(space) + ", need one of three dimensions",
+                   exportScalarVolume);
+  }
+  return Vector3::Ones();
+}
+
+/** How the axes of the file are used. */
+struct NrrdAxes
+{
+  std::vector<std::uint64_t> sizes;
+  std::vector<std::string>   kinds;      ///< lower case; "" unknown
+  std::vector<SpaceVector>   directions; ///< empty without the field
+  std::vector<std::size_t>   spatial;    ///< the three axes
+  std::uint64_t              layers{ 1 };
+};
+
+bool
+isSpatialKind(const std::string & kind)
+{
+  return kind.empty() || kind == "domain" || kind == "space" || kind == "???" || kind == "none";
+}
+
+[[noreturn]] void
+throwExtraAxis(const ImageDescription & image, const NrrdAxes & axes, std::size_t axis)
+{
+  const std::string & kind = axes.kinds[axis];
+  const std::string   count = std::to_string(axes.sizes[axis]);
+  if (kind.empty() || isSpatialKind(kind) || kind == "list" || kind == "time")
+  {
+    throw BadInput(ErrorCode::Dimension,
+                   image.fileName,
+                   "a " + std::to_string(axes.sizes.size()) + "-D image of " + count + " volumes, need a 3-D image",
+                   "export one 3-D volume");
+  }
+  throw BadInput(ErrorCode::PixelType,
+                 image.fileName,
+                 count + " values per voxel (" + quoted(kind) + "), need one",
+                 exportScalarVolume);
+}
+
+NrrdAxes
+nrrdAxes(const NrrdHeader & header, const ImageDescription & image)
+{
+  constexpr std::uint64_t mostDimensions = 16;
+  const auto              dimension = countsOf(image.fileName, "dimension", header.get("dimension"));
+  if (dimension.size() != 1 || dimension[0] == 0 || dimension[0] > mostDimensions)
+  {
+    throwHeader(image.fileName, "dimension " + quoted(header.get("dimension")) + ", need 3");
+  }
+  const std::size_t axisCount = dimension[0];
+  const auto        requireCount = [&](const char * field, std::size_t count) {
+    if (count != axisCount)
+    {
+      throwHeader(image.fileName,
+                  std::string(field) + " are " + std::to_string(count) + " for dimension " + std::to_string(axisCount));
+    }
+  };
+  NrrdAxes axes;
+  axes.sizes = countsOf(image.fileName, "sizes", header.get("sizes"));
+  requireCount("sizes", axes.sizes.size());
+  axes.kinds.resize(axisCount);
+  if (header.has("kinds"))
+  {
+    axes.kinds = wordsOf(lowerCase(header.get("kinds")));
+    requireCount("kinds", axes.kinds.size());
+  }
+  if (header.has("space directions"))
+  {
+    axes.directions = vectorsOf(image.fileName, "space directions", header.get("space directions"));
+    requireCount("space directions", axes.directions.size());
+  }
+  return axes;
+}
+
+/** Sorts the axes into three of space and others. \throws BadInput (Dimension, PixelType, Geometry) */
+void
+findSpatialAxes(const ImageDescription & image, bool segmentation, NrrdAxes & axes)
+{
+  const std::size_t axisCount = axes.sizes.size();
+  if (axisCount < 3)
+  {
+    throw BadInput(ErrorCode::Dimension,
+                   image.fileName,
+                   "a " + std::to_string(axisCount) + "-D image, need a 3-D image",
+                   exportScalarVolume);
+  }
+  const auto & directions = axes.directions;
+  if (!directions.empty() && std::none_of(directions.begin(), directions.end(), [](const auto & v) { return v; }))
+  {
+    throw BadInput(ErrorCode::Geometry, image.fileName, "no axis has a direction in space", correctHeader);
+  }
+  for (std::size_t axis = 0; axis < axisCount; ++axis)
+  {
+    const bool directed = directions.empty() || directions[axis];
+    if (directed && isSpatialKind(axes.kinds[axis]) && axes.spatial.size() < 3)
+    {
+      axes.spatial.push_back(axis);
+    }
+    else if (axis == 0 && segmentation && axes.kinds[0] != "rgb-color")
+    {
+      axes.layers = axes.sizes[0];
+    }
+    else if (axes.sizes[axis] != 1)
+    {
+      throwExtraAxis(image, axes, axis);
+    }
+  }
+  if (axes.spatial.size() != 3)
+  {
+    throw BadInput(ErrorCode::Dimension,
+                   image.fileName,
+                   std::to_string(axes.spatial.size()) + " axes of space, need a 3-D image",
+                   exportScalarVolume);
+  }
+}
+
+void
+requireMillimetres(const NrrdHeader & header, const ImageDescription & image)
+{
+  for (const char * field : { "space units", "units" })
+  {
+    for (const std::string & unit : wordsOf(lowerCase(header.get(field))))
+    {
+      if (unit != "\"mm\"" && unit != "\"\"" && unit.rfind("\"millimet", 0) != 0 && unit != "\"???\"")
+      {
+        throw BadInput(ErrorCode::Geometry,
+                       image.fileName,
+                       std::string(field) + ' ' + quoted(unit),
+                       "convert the image to millimetres");
+      }
+    }
+  }
+}
+
+void
+setNrrdGeometry(const NrrdHeader & header, const NrrdAxes & axes, ImageDescription & image)
+{
+  requireMillimetres(header, image);
+  const Vector3 toLps = nrrdSpace(header, image);
+  if (header.has("axis mins") || header.has("axis maxs"))
+  {
+    throw BadInput(ErrorCode::Unsupported,
+                   image.fileName,
+                   "the image's place is given by axis mins or maxs",
+                   "save it with space directions");
+  }
+  if (header.has("spacings") && header.has("space directions"))
+  {
+    throwHeader(image.fileName, "both spacings and space directions are given");
+  }
+  Matrix3             columns = Matrix3::Identity();
+  std::vector<double> spacings(axes.sizes.size(), 1.0);
+  if (header.has("spacings"))
+  {
+    spacings = numbersOf(image.fileName, "spacings", header.get("spacings"), axes.sizes.size());
+  }
+  else if (axes.directions.empty())
+  {
+    image.warnings.push_back(image.fileName + ": the header gives no voxel size: 1 mm assumed");
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t  own = axes.spatial[axis];
+    const Eigen::Index column = static_cast<Eigen::Index>(axis);
+    columns.col(column) *= spacings[own];
+    if (!axes.directions.empty())
+    {
+      const std::vector<double> & vector = *axes.directions[own];
+      columns.col(column) = toLps.cwiseProduct(Vector3(vector[0], vector[1], vector[2]));
+    }
+  }
+  Vector3 origin = Vector3::Zero();
+  if (header.has("space origin"))
+  {
+    const auto vectors = vectorsOf(image.fileName, "space origin", header.get("space origin"));
+    if (vectors.size() != 1 || !vectors[0])
+    {
+      throwHeader(image.fileName, "space origin is " + quoted(header.get("space origin")));
+    }
+    origin = toLps.cwiseProduct(Vector3((*vectors[0])[0], (*vectors[0])[1], (*vectors[0])[2]));
+  }
+  setGeometry(image, columns, origin);
+}
+
+VoxelEncoding
+nrrdEncoding(const NrrdHeader & header, const ImageDescription & image)
+{
+  static const std::map<std::string, VoxelEncoding> encodings{
+    { "raw", VoxelEncoding::Raw },    { "gzip", VoxelEncoding::Gzip }, { "gz", VoxelEncoding::Gzip },
+    { "ascii", VoxelEncoding::Text }, { "text", VoxelEncoding::Text }, { "txt", VoxelEncoding::Text }
+  };
+  const std::string encoding = lowerCase(header.get("encoding"));
+  const auto        entry = encodings.find(encoding);
+  if (entry == encodings.end())
+  {
+    const bool known = encoding == "hex" || encoding == "bzip2" || encoding == "bz2";
+    throw BadInput(known ? ErrorCode::Unsupported : ErrorCode::Header,
+                   image.fileName,
+                   "encoding " + quoted(encoding),
+                   "save the image as raw or gzip NRRD");
   }
   return entry->second;
 }
 
-struct NrrdHeader
+/** \throws BadInput (Header)  unknown where it is needed */
+void
+setNrrdByteOrder(const NrrdHeader & header, ImageDescription & image)
 {
-  std::map<std::string, std::string> fields;
-  std::uint64_t                      bytes{ 0 }; ///< length of the header with the empty line that ends it
-};
-
-/** Fields "key: value" of the header; comments and Slicer's "key:=value" lines are passed over. */
-NrrdHeader
-readNrrdHeader(const std::string & file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  std::string   line;
-  NrrdHeader    header;
-  const auto    nextLine = [&]() {
-    line.clear();
-    for (int c = stream.get(); c != std::char_traits<char>::eof() && c != '\n'; c = stream.get())
-    {
-      line += static_cast<char>(c);
-      if (line.size() > longestHeader)
-      {
-        throw BadInput(
-          ErrorCode::NotHexahedra, file, "a header line of more than 1 MB", "check that this is a NRRD file");
-      }
-    }
-    header.bytes = stream ? static_cast<std::uint64_t>(stream.tellg()) : header.bytes;
-    if (!line.empty() && line.back() == '\r')
-    {
-      line.pop_back();
-    }
-    return static_cast<bool>(stream);
-  };
-  if (!nextLine() || line.compare(0, 7, "NRRD000") != 0 || line.size() != 8)
+  const std::string endian = lowerCase(header.get("endian"));
+  if (!(endian == "little" || endian == "big" || endian.empty()))
   {
-    throw BadInput(ErrorCode::Format, file, "the content is not NRRD", "check that the name's ending fits the format");
+    throwHeader(image.fileName, "endian is " + quoted(endian) + ", need little or big");
   }
-  while (nextLine() && !line.empty())
+  if (endian.empty() && image.bytesPerComponent > 1 && image.encoding != VoxelEncoding::Text)
   {
-    const auto colon = line.find(':');
-    if (line[0] == '#' || (colon != std::string::npos && colon + 1 < line.size() && line[colon + 1] == '='))
+    throwHeader(image.fileName,
+                std::to_string(8 * image.bytesPerComponent) +
+                  "-bit voxels without 'endian': the byte order is unknown");
+  }
+  image.swapped = endian == "big" && image.encoding != VoxelEncoding::Text;
+}
+
+void
+requireNoSkips(const NrrdHeader & header, const ImageDescription & image)
+{
+  for (const char * field : { "line skip", "byte skip" })
+  {
+    const std::string value = header.get(field);
+    if (value.empty() || value == "0")
     {
       continue;
     }
-    if (colon == std::string::npos || line.size() > longestNrrdField)
+    const auto counts =
+      value == "-1" ? std::vector<std::uint64_t>{ 0 } : countsOf(image.fileName, field, value); // -1: from the end
+    if (counts.size() != 1 || counts[0] > fs::file_size(image.dataFile))
     {
-      throw BadInput(ErrorCode::NotHexahedra,
-                     file,
-                     "header line '" + line.substr(0, 30) + "' is not a NRRD field",
-                     "correct the header");
+      throwHeader(image.fileName, std::string(field) + ' ' + quoted(value) + " is more than the file holds");
     }
-    header.fields[lowerCase(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
+    throw BadInput(ErrorCode::Unsupported,
+                   image.fileName,
+                   std::string(field) + ' ' + quoted(value),
+                   "save the image as plain .nrrd");
   }
-  return header;
 }
 
 } // namespace
 
-std::vector<std::string>
-checkNrrdFile(const std::string & file)
+ImageDescription
+checkNrrdHeader(const std::string & file)
 {
-  NrrdHeader                           header = readNrrdHeader(file);
-  std::map<std::string, std::string> & fields = header.fields;
-  if (fields["dimension"] != "3")
+  const std::string text = beginningOf(file, longestNrrdHeader);
+  const NrrdHeader  header = parseNrrdHeader(file, text);
+  for (const char * field : { "type", "dimension", "sizes", "encoding" })
   {
-    throw BadInput(ErrorCode::Dimension,
-                   file,
-                   "dimension " + fields["dimension"].substr(0, 20) + ", need a 3-D image",
-                   "export one segment, or segments that do not overlap");
-  }
-  if (fields.count("data file") + fields.count("datafile") > 0)
-  {
-    throw BadInput(
-      ErrorCode::Reference, file, "the voxels are in another file", "convert to a .nrrd that holds its own data");
-  }
-  for (const char * key : { "space directions", "space origin", "spacings" })
-  {
-    requireNumbers(file, key, fields[key]);
-  }
-  for (const std::string & unit : wordsOf(fields["space units"]))
-  {
-    if (unit != "\"mm\"" && unit != "\"\"")
+    if (!header.has(field))
     {
-      throw BadInput(
-        ErrorCode::Geometry, file, "space units " + unit.substr(0, 20), "convert the image to millimetres");
+      throwHeader(file, std::string("the header has no field '") + field + "'");
     }
   }
-  const std::uint64_t promised = promisedBytes(file, wordsOf(fields["sizes"]), nrrdBytesPerVoxel(file, fields["type"]));
-  for (const char * key : { "line skip", "lineskip", "byte skip", "byteskip" })
+  ImageDescription image;
+  image.fileName = file;
+  image.format = ImageFormat::Nrrd;
+  image.keyValues = header.keyValues;
+  image.encoding = nrrdEncoding(header, image);
+  NrrdAxes axes = nrrdAxes(header, image);
+  findSpatialAxes(image, header.keyValues.count("Segment0_ID") + header.keyValues.count("Segment0_Name") > 0, axes);
+  setVoxels(image,
+            { axes.sizes[axes.spatial[0]], axes.sizes[axes.spatial[1]], axes.sizes[axes.spatial[2]] },
+            nrrdComponentType(file, header.get("type")),
+            axes.layers);
+  image.dataFile = file;
+  image.dataBegin = header.bytes;
+  if (header.has("data file"))
   {
-    if (!fields[key].empty() && fields[key] != "0")
-    {
-      throw BadInput(ErrorCode::Unsupported,
-                     file,
-                     std::string(key) + " " + fields[key].substr(0, 20),
-                     "save the image as plain .nrrd");
-    }
+    setDataFile(image, header.get("data file"));
+    image.dataBegin = 0;
   }
-  const std::string   encoding = lowerCase(fields["encoding"]);
-  const std::uint64_t present = fs::file_size(file) - header.bytes;
-  if (encoding == "raw")
-  {
-    requireData(file, promised, present);
-  }
-  else if (encoding == "gzip" || encoding == "gz")
-  {
-    if (promised / deflateLimit > present)
-    {
-      throw BadInput(ErrorCode::Truncated, file, "the header promises more voxels than the file can hold", copyAgain);
-    }
-    requireData(file, promised, inflatedSize(file, header.bytes));
-  }
-  else
-  {
-    throw BadInput(
-      ErrorCode::Unsupported, file, "encoding '" + encoding.substr(0, 20) + "'", "save the image as raw or gzip NRRD");
-  }
-  return {};
+  setNrrdByteOrder(header, image);
+  requireNoSkips(header, image);
+  setNrrdGeometry(header, axes, image);
+  requirePlausibleSize(image);
+  return image;
 }
 
 } // namespace moserhex

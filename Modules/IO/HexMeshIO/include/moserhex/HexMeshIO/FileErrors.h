@@ -7,6 +7,12 @@
 namespace moserhex
 {
 
+/** A message that another process has already put together. */
+struct FinishedMessage
+{
+  std::string text;
+};
+
 /** A fault of a file. The message is one line: file, cause, remedy; with "error: " before it and " [code]" behind, it
  * has at most 200 characters. */
 class FileError : public Error
@@ -14,8 +20,9 @@ class FileError : public Error
 public:
   FileError(ErrorCode code, const std::string & file, const std::string & cause, const std::string & remedy);
 
-protected:
-  using Error::Error;
+  /** With the message as it is, of an error of this class in another process. */
+  FileError(ErrorCode code, const FinishedMessage & message) : Error(code, message.text)
+  {}
 };
 
 /** An input file cannot be used: missing, damaged, of another kind, or its content breaks a documented precondition. */

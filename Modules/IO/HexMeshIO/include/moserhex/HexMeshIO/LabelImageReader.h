@@ -25,31 +25,61 @@ struct LabelEntry
   std::string name; ///< segment name of a Slicer .seg.nrrd; empty elsewhere
 };
 
+/** One segment of a Slicer .seg.nrrd: the voxels of one label value in one layer. Layers overlap, segments of a layer
+ * do not. */
+struct SegmentEntry
+{
+  std::string name;
+  std::string id;
+  int         layer{ 0 };
+  LabelValue  value{ 1 };
+  std::size_t voxels{ 0 };
+};
+
 /** A labelmap as read: LPS millimetres, right-handed or not as the file says. */
 struct LabelImage
 {
-  std::string              fileName;
-  LabelImageType::Pointer  image;
-  std::vector<LabelEntry>  labels;   ///< labels other than 0, ascending by value
-  std::vector<std::string> warnings; ///< one line each
+  std::string               fileName;
+  LabelImageType::Pointer   image;
+  std::vector<LabelEntry>   labels;   ///< labels other than 0, ascending by value
+  std::vector<std::string>  warnings; ///< one line each
+  std::vector<SegmentEntry> segments; ///< all of a Slicer .seg.nrrd, in its order; empty elsewhere
 };
 
-/** Whether the name ends like a labelmap this reader takes: .nrrd .nii .nii.gz .mha .mhd (any case). */
+struct LabelReadOptions
+{
+  std::optional<double>      threshold;       ///< voxels at or above it become label 1, all others 0
+  std::optional<std::string> segment;         ///< of a .seg.nrrd: its name, its ID, or its number in the file, from 1
+  bool                       sandbox{ true }; ///< read in a child process; see readLabelImage
+};
+
+/** Whether this reader takes a file of this name: .nrrd .nhdr .nii .nii.gz .mha .mhd (any case), or a name without any
+ * ending when the content is of one of these formats. */
 [[nodiscard]] bool
 isLabelImageName(const std::string & fileName);
 
-/** Reads a three-dimensional labelmap: .nrrd (.seg.nrrd), .nii, .nii.gz, .mha, .mhd.
+/** Reads a three-dimensional labelmap: NRRD (.seg.nrrd too), NIfTI-1, MetaImage.
  *
- * Any integer pixel type; floating-point pixels when every value is a whole number. Nothing wraps around: a value
- * outside LabelValue is refused. Exactly one reader looks at the file, chosen by extension. Before ITK sees the file,
- * its header is checked for what ITK does not survive (non-finite geometry, over-long tokens, impossible dimensions)
- * and the bytes present are compared with the bytes promised, so a cut file is refused and never filled with zeros.
+ * Any integer pixel type; floating-point pixels when every value is within 1e-4 of a whole number (those that are not
+ * exactly whole are counted in a warning). Nothing wraps around: a value outside LabelValue is refused, and so are
+ * negative ones, which are no labels. Exactly one reader looks at the file. Before ITK sees it, its header is checked
+ * and its voxels are decoded once, so a cut file is refused and never filled with zeros; afterwards ITK's voxels are
+ * compared with those (CRC-32).
+ *
+ * Voxel sizes, axes and origin are those of the file's own grid: a cropped segmentation stands where its header says,
+ * whatever its Segmentation_ReferenceImageExtentOffset. Of a segmentation in layers (4-D) one segment must be chosen
+ * when there are several; a name counts before an ID, an ID before a number.
+ *
+ * With options.sandbox (the default) all this is done in a forked child process with limits of memory, CPU and wall
+ * time, which writes no files; see the notes on threads at runInSandbox in src/ReaderSandbox.h: call it before other
+ * threads work, or switch it off.
  *
  * \throws BadInput  the file is missing or damaged; not a 3-D scalar image; spacing not in [1e-3, 1e3] mm; direction
- *                   not orthonormal within 1e-3; a value that is not a whole number or not a LabelValue; no label
+ *                   not orthonormal within 1e-3; a value that is not a label; no label; no such segment; the child died
+ * \throws InvalidInput (Usage)  both a threshold and a segment; a threshold that is not finite
  * \throws IOError   the file cannot be opened or read */
 [[nodiscard]] LabelImage
-readLabelImage(const std::string & fileName);
+readLabelImage(const std::string & fileName, const LabelReadOptions & options = {});
 
 /** The entry to work on: `wanted`, or the only label there is.
  * \throws BadInput  `wanted` is absent, or nothing is wanted and there are several; the message lists the labels */
@@ -59,6 +89,10 @@ chooseLabel(const LabelImage & image, const std::optional<LabelValue> & wanted);
 /** The voxels of one label. */
 [[nodiscard]] LabelVolume
 labelVolumeOf(const LabelImageType & image, LabelValue label);
+
+/** The voxels of all labels together: every one that is not 0. */
+[[nodiscard]] LabelVolume
+labelVolumeOfAll(const LabelImageType & image);
 
 /** The voxels of a volume as an image: 1 inside, 0 outside. */
 [[nodiscard]] LabelImageType::Pointer

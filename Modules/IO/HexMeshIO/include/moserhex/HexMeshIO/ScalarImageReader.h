@@ -20,15 +20,16 @@ struct ScalarImage
   std::vector<std::string> warnings; ///< one line each
 };
 
-/** Reads a three-dimensional scalar image, a density: .nrrd .nii .nii.gz .mha .mhd (isLabelImageName), of any integer
+/** Reads a three-dimensional scalar image, a density: the files of readLabelImage (isLabelImageName), of any integer
  * or real voxel type, with a NIfTI file's slope and intercept applied. As strict about the file as readLabelImage, and
  * by the same code. Values are not judged, NaN and infinity included (of NIfTI files ITK makes them 0): what counts is
  * the label (densityOnLabel).
  *
+ * \param sandbox  read in a child process; see readLabelImage
  * \throws BadInput  the file is missing or damaged; not a 3-D scalar image; spacing not in [1e-3, 1e3] mm; direction
  *                   not orthonormal within 1e-3
  * \throws IOError   the file cannot be opened or read */
 [[nodiscard]] ScalarImage
-readScalarImage(const std::string & fileName);
+readScalarImage(const std::string & fileName, bool sandbox = true);
 
 } // namespace moserhex

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "moserhex/LevelSet/VoxelGrid.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+/** The image formats, each with one reader. */
+enum class ImageFormat
+{
+  Nrrd,
+  Nifti,
+  Meta
+};
+
+/** What one voxel holds in the file. */
+enum class ComponentType
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Int64,
+  UInt64,
+  Float32,
+  Float64
+};
+
+/** Calls body with a zero of the C++ type. */
+template <typename TBody>
+auto
+withComponent(ComponentType type, const TBody & body)
+{
+  switch (type)
+  {
+    case ComponentType::Int8:
+      return body(std::int8_t{});
+    case ComponentType::UInt8:
+      return body(std::uint8_t{});
+    case ComponentType::Int16:
+      return body(std::int16_t{});
+    case ComponentType::UInt16:
+      return body(std::uint16_t{});
+    case ComponentType::Int32:
+      return body(std::int32_t{});
+    case ComponentType::UInt32:
+      return body(std::uint32_t{});
+    case ComponentType::Int64:
+      return body(std::int64_t{});
+    case ComponentType::UInt64:
+      return body(std::uint64_t{});
+    case ComponentType::Float32:
+      return body(float{});
+    case ComponentType::Float64:
+      break;
+  }
+  return body(double{});
+}
+
+/** How the voxels are written. */
+enum class VoxelEncoding
+{
+  Raw,
+  Gzip,      ///< one or several members
+  GzipOrRaw, ///< NIfTI: told from the first bytes of the file, which hold the header too
+  Zlib,
+  Text ///< decimal numbers
+};
+
+/** An image as its header states it, every statement checked; see checkImageHeader. */
+struct ImageDescription
+{
+  std::string   fileName;
+  ImageFormat   format{ ImageFormat::Nrrd };
+  ComponentType component{ ComponentType::UInt8 };
+  std::uint64_t bytesPerComponent{ 1 };
+  bool          swapped{ false }; ///< the file's byte order is not this machine's
+  VoxelGrid     grid;             ///< LPS mm, direction orthonormal to round-off
+  int           layers{ 1 };      ///< values per voxel, the fastest axis of the file: only for Slicer's segmentations
+  VoxelEncoding encoding{ VoxelEncoding::Raw };
+  std::string   dataFile;           ///< holds the voxels
+  std::uint64_t dataBegin{ 0 };     ///< of the voxels; in the decoded bytes for GzipOrRaw, else in the file
+  std::uint64_t storedBytes{ 0 };   ///< of compressed voxels, as the header says; 0: to the end of the file
+  std::uint64_t promisedBytes{ 0 }; ///< of decoded voxels
+  double        slope{ 1.0 };       ///< value = slope * stored + intercept
+  double        intercept{ 0.0 };
+  std::map<std::string, std::string> keyValues;     ///< NRRD's "key:=value" lines
+  std::uint32_t                      checksum{ 0 }; ///< CRC-32 of the decoded voxels in this machine's byte order
+  std::vector<std::string>           warnings;      ///< one line each
+
+  [[nodiscard]] bool
+  scaled() const
+  {
+    return slope != 1.0 || intercept != 0.0;
+  }
+};
+
+} // namespace moserhex

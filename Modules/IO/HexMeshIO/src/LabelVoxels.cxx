@@ -1,0 +1,58 @@
+#include "LabelVoxels.h"
+
+#include "moserhex/HexMeshIO/FileErrors.h"
+
+#include <locale>
+#include <sstream>
+
+namespace moserhex
+{
+
+void
+throwNoLabel(const ImageDescription & image, std::size_t voxel, double value)
+{
+  const auto         nx = static_cast<std::size_t>(image.grid.size[0]);
+  const auto         ny = static_cast<std::size_t>(image.grid.size[1]);
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(9);
+  text << "voxel (" << voxel % nx << ", " << voxel / nx % ny << ", " << voxel / (nx * ny) << ") holds " << value
+       << ", which is not a label (a whole number from 0 to 2^31-1)";
+  const bool fraction = std::isfinite(value) && value > 0.0 && value < 1e6;
+  throw BadInput(ErrorCode::Labels,
+                 image.fileName,
+                 text.str(),
+                 fraction ? "give --threshold for a probability map, or integer labels"
+                          : "give the segmentation, not intensities");
+}
+
+void
+throwTooManyLabels(const ImageDescription & image)
+{
+  throw BadInput(ErrorCode::Labels,
+                 image.fileName,
+                 "more than " + std::to_string(mostLabels) + " different values: an image, not a labelmap",
+                 "give the segmentation");
+}
+
+void
+warnOfRounding(ImageDescription & image, std::size_t rounded)
+{
+  if (rounded > 0)
+  {
+    image.warnings.push_back(image.fileName + ": " + std::to_string(rounded) +
+                             " values within 1e-4 of whole numbers were rounded to labels");
+  }
+}
+
+void
+warnOfNaN(ImageDescription & image, std::size_t notNumbers)
+{
+  if (notNumbers > 0)
+  {
+    image.warnings.push_back(image.fileName + ": " + std::to_string(notNumbers) +
+                             " voxels are not numbers (NaN) and were taken as outside");
+  }
+}
+
+} // namespace moserhex

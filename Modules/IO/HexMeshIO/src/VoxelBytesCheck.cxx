@@ -1,0 +1,189 @@
+#include "ByteSource.h"
+#include "FileText.h"
+#include "ImageFileCheck.h"
+#include "ImageHeader.h"
+#include "moserhex/HexMeshIO/FileErrors.h"
+
+#include <itk_zlib.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace moserhex
+{
+namespace
+{
+
+constexpr std::size_t   chunkSize = 1 << 18; // a multiple of every component's size
+constexpr std::uint64_t searchBehind = 16 << 20;
+
+ByteSource::Coding
+codingOf(VoxelEncoding encoding)
+{
+  switch (encoding)
+  {
+    case VoxelEncoding::Gzip:
+      return ByteSource::Coding::Gzip;
+    case VoxelEncoding::GzipOrRaw:
+      return ByteSource::Coding::GzipOrPlain;
+    case VoxelEncoding::Zlib:
+      return ByteSource::Coding::Zlib;
+    case VoxelEncoding::Raw:
+    case VoxelEncoding::Text:
+      break;
+  }
+  return ByteSource::Coding::Plain;
+}
+
+void
+addToChecksum(ImageDescription & image, const void * bytes, std::size_t count)
+{
+  image.checksum = static_cast<std::uint32_t>(
+    crc32(image.checksum, static_cast<const unsigned char *>(bytes), static_cast<unsigned int>(count)));
+}
+
+void
+swapComponents(char * bytes, std::size_t count, std::size_t componentSize)
+{
+  for (char * component = bytes; component + componentSize <= bytes + count; component += componentSize)
+  {
+    std::reverse(component, component + componentSize);
+  }
+}
+
+void
+warnOfTrailingBytes(ImageDescription & image, std::uint64_t count, bool more)
+{
+  if (count > 0)
+  {
+    image.warnings.push_back(image.dataFile + (more ? ": more than " : ": ") + std::to_string(count) +
+                             " bytes after the voxels were ignored");
+  }
+}
+
+void
+checkBinary(ImageDescription & image, ByteSource & source)
+{
+  std::vector<char> chunk(chunkSize);
+  std::uint64_t     present = 0;
+  while (present < image.promisedBytes)
+  {
+    const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(chunk.size(), image.promisedBytes - present));
+    const auto count = source.read(chunk.data(), part);
+    if (image.swapped)
+    {
+      swapComponents(chunk.data(), count, static_cast<std::size_t>(image.bytesPerComponent));
+    }
+    addToChecksum(image, chunk.data(), count);
+    present += count;
+    if (count < part)
+    {
+      throw BadInput(ErrorCode::Truncated,
+                     image.dataFile,
+                     "the file ends early: " + std::to_string(image.promisedBytes) + " bytes of voxels promised, " +
+                       std::to_string(present) + " found",
+                     copyAgain);
+    }
+  }
+  if (image.encoding == VoxelEncoding::Raw)
+  {
+    warnOfTrailingBytes(image, source.unusedBytes(), false);
+    return;
+  }
+  const std::uint64_t behind = source.skip(searchBehind);
+  const bool          more = behind == searchBehind;
+  warnOfTrailingBytes(image, behind + (more ? 0 : source.unusedBytes()), more);
+}
+
+/** Adds one number to the checksum. \throws BadInput (Header) */
+template <typename TComponent>
+void
+addNumber(ImageDescription & image, const std::string & word, TComponent)
+{
+  TComponent number{};
+  if (!parseNumber(word, number))
+  {
+    throwHeader(image.fileName, "a voxel is " + quoted(word) + ", which the voxel type does not hold");
+  }
+  addToChecksum(image, &number, sizeof number);
+}
+
+void
+checkText(ImageDescription & image, ByteSource & source)
+{
+  constexpr std::size_t longestWord = 64;
+  const std::uint64_t   promised = image.promisedBytes / image.bytesPerComponent;
+  std::uint64_t         present = 0;
+  std::vector<char>     chunk(chunkSize);
+  std::string           word;
+  const auto            endWord = [&] {
+    if (word.empty())
+    {
+      return;
+    }
+    withComponent(image.component, [&](auto zero) { addNumber(image, word, zero); });
+    word.clear();
+    ++present;
+  };
+  std::size_t count = 0;
+  std::size_t at = 0;
+  for (; present < promised; ++at)
+  {
+    if (at == count)
+    {
+      at = 0;
+      count = source.read(chunk.data(), chunk.size());
+      if (count == 0)
+      {
+        endWord();
+        break;
+      }
+    }
+    if (std::strchr(" \t\r\n", chunk[at]) && chunk[at] != '\0')
+    {
+      endWord();
+    }
+    else if ((word += chunk[at]).size() > longestWord)
+    {
+      throwHeader(image.fileName, "a voxel is " + quoted(word) + ", which is not a number");
+    }
+  }
+  if (present < promised)
+  {
+    throw BadInput(ErrorCode::Truncated,
+                   image.dataFile,
+                   "the file ends early: " + std::to_string(promised) + " numbers promised, " +
+                     std::to_string(present) + " found",
+                   copyAgain);
+  }
+  std::uint64_t behind = source.unusedBytes();
+  for (; at < count; ++at)
+  {
+    behind += std::strchr(" \t\r\n", chunk[at]) && chunk[at] != '\0' ? 0 : 1;
+  }
+  warnOfTrailingBytes(image, behind, false);
+}
+
+} // namespace
+
+void
+checkVoxelBytes(ImageDescription & image)
+{
+  const bool withHeader = image.encoding == VoxelEncoding::GzipOrRaw;
+  ByteSource source(image.dataFile, codingOf(image.encoding), withHeader ? 0 : image.dataBegin, image.storedBytes);
+  if (withHeader)
+  {
+    (void)source.skip(image.dataBegin);
+  }
+  image.checksum = 0;
+  if (image.encoding == VoxelEncoding::Text)
+  {
+    checkText(image, source);
+  }
+  else
+  {
+    checkBinary(image, source);
+  }
+}
+
+} // namespace moserhex
