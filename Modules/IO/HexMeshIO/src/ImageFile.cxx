@@ -11,6 +11,7 @@
 #include <itk_zlib.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 
@@ -210,15 +211,16 @@ checkedDescription(const std::string & fileName, bool sandboxed)
 }
 
 std::string
-firstLine(std::string text)
+withoutPlace(std::string text)
 {
   // ITK puts its file, line and class before the message.
-  const auto colon = text.rfind("): ");
-  if (colon != std::string::npos)
+  for (const char * before : { "ERROR: ", "): " })
   {
-    text = text.substr(colon + 3);
+    const auto at = text.find(before);
+    text = at == std::string::npos ? text : text.substr(at + std::strlen(before));
   }
-  return text.substr(0, text.find('\n'));
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return "the reader says: " + text;
 }
 
 } // namespace moserhex

@@ -37,9 +37,9 @@ withCheckedVoxels(const std::string & fileName, bool sandboxed, const TBody & bo
 [[nodiscard]] ImageDescription
 checkedDescription(const std::string & fileName, bool sandboxed);
 
-/** What a library said, without the place in its source that ITK puts before it. */
+/** What a library said, in one line and without the place in its source that ITK puts before it. */
 [[nodiscard]] std::string
-firstLine(std::string text);
+withoutPlace(std::string text);
 
 /** Runs `read` and turns what it throws, other than errors of ours, into BadInput about the file. */
 template <typename TRead>
@@ -61,7 +61,7 @@ withImageErrors(const std::string & fileName, const TRead & read)
   catch (const std::exception & error)
   {
     throw BadInput(
-      ErrorCode::ReaderFailed, fileName, firstLine(error.what()), "export the image again, for example as .nrrd");
+      ErrorCode::ReaderFailed, fileName, withoutPlace(error.what()), "export the image again, for example as .nrrd");
   }
 }
 

@@ -166,8 +166,9 @@ setDataFile(ImageDescription & image, const std::string & name)
                    "the voxels' file " + quoted(name) + ' ' + cause,
                    "convert to .nrrd or .mha");
   };
-  if (name.empty() || name.size() > 250 || name[0] == '.' || name.find_first_of("/\\%:") != std::string::npos ||
-      wordsOf(name).size() != 1)
+  const auto words = wordsOf(name);
+  if (name.empty() || words[0] == "LIST" || name.size() > 250 || name[0] == '.' ||
+      name.find_first_of("/\\%:") != std::string::npos)
   {
     refuse("is not one plain name of a file beside the header");
   }

@@ -251,19 +251,6 @@ setMetaDataFile(const MetaHeader & header, ImageDescription & image)
                    "HeaderSize is " + quoted(headerSize) + ", need none",
                    "convert the image to .mha");
   }
-  const auto words = wordsOf(name);
-  if (words.size() > 1 && words[0] != "LIST" && name.find('%') != std::string::npos)
-  {
-    throw BadInput(ErrorCode::Reference,
-                   image.fileName,
-                   "ElementDataFile is a pattern of files (" + quoted(name) + ")",
-                   "convert the image to .mha");
-  }
-  if (!words.empty() && words[0] == "LIST")
-  {
-    throw BadInput(
-      ErrorCode::Reference, image.fileName, "ElementDataFile is a list of files", "convert the image to .mha");
-  }
   image.dataFile = image.fileName;
   image.dataBegin = header.bytes;
   if (!local)
@@ -277,17 +264,14 @@ void
 setMetaEncoding(const MetaHeader & header, ImageDescription & image)
 {
   const std::string & file = image.fileName;
-  if (!metaFlag(file, header, "BinaryData", false) && header.has("BinaryData"))
+  if (!metaFlag(file, header, "BinaryData", true))
   {
     throw BadInput(
       ErrorCode::Unsupported, file, "the voxels are written as text", "save the image as binary .mha or .nrrd");
   }
-  if (!header.has("BinaryData"))
-  {
-    throwHeader(file, "BinaryData is missing: MetaIO would read text");
-  }
-  const bool big = metaFlag(file, header, "BinaryDataByteOrderMSB", false);
-  if (header.has("ElementByteOrderMSB") && metaFlag(file, header, "ElementByteOrderMSB", big) != big)
+  const bool element = metaFlag(file, header, "ElementByteOrderMSB", false);
+  const bool big = metaFlag(file, header, "BinaryDataByteOrderMSB", element);
+  if (header.has("ElementByteOrderMSB") && element != big)
   {
     throwHeader(file, "ElementByteOrderMSB contradicts BinaryDataByteOrderMSB");
   }

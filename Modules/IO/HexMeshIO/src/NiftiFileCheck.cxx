@@ -127,6 +127,10 @@ requireExtensions(const std::string & file, const NiftiHeader & header, std::uin
     }
     std::int32_t size = 0;
     std::memcpy(&size, sizeAndCode, sizeof size);
+    if (size == 0)
+    {
+      return; // zeros up to the voxels
+    }
     if (size < 8 || static_cast<std::uint64_t>(size) > end - at)
     {
       throwHeader(file,
@@ -148,6 +152,11 @@ setScale(const NiftiHeader & header, ImageDescription & image)
     // As the NIfTI library does.
     image.warnings.push_back(image.fileName + ": scl_slope or scl_inter is not finite: values taken unscaled");
     return;
+  }
+  if (slope == 0.0 && intercept != 0.0)
+  {
+    // By the standard it counts for nothing; ITK adds it.
+    throwHeader(image.fileName, "scl_slope is 0 while scl_inter is not");
   }
   if (slope == 0.0)
   {

@@ -90,8 +90,15 @@ qformOf(const NiftiHeader & header, const ImageDescription & image, const Vector
   {
     refuse(image, "the quaternion's length is " + textOf(std::sqrt(squares)) + ": not a rotation");
   }
-  const double a = std::sqrt(std::max(0.0, 1.0 - squares));
-  v /= std::max(1.0, std::sqrt(squares));
+  double a = 0.0;
+  if (1.0 - squares < 1e-7) // nothing but a float's rounding: the standard's own code takes it as half a turn
+  {
+    v.normalize();
+  }
+  else
+  {
+    a = std::sqrt(1.0 - squares);
+  }
   Matrix3 cross;
   cross << 0.0, -v[2], v[1], v[2], 0.0, -v[0], -v[1], v[0], 0.0;
   Matrix3 rotation = (a * a - v.squaredNorm()) * Matrix3::Identity() + 2.0 * v * v.transpose() + 2.0 * a * cross;
@@ -179,6 +186,11 @@ setNiftiGeometry(const NiftiHeader & header, ImageDescription & image)
   requireFinite(header, image);
   const Vector3 sizes = voxelSizes(header, image);
   const double  unit = millimetres(header, image);
+  if (unit > 1.0 && header.sformCode() > 0)
+  {
+    // ITK 5.2 takes so small a matrix for a singular one.
+    throw BadInput(ErrorCode::Unsupported, image.fileName, "an sform in metres", "convert the image to millimetres");
+  }
   const Vector3 toLps(-unit, -unit, unit);
   const auto    take = [&](const Affine & affine) {
     setGeometry(image, toLps.asDiagonal() * affine.columns, toLps.cwiseProduct(affine.origin));
@@ -199,8 +211,8 @@ setNiftiGeometry(const NiftiHeader & header, ImageDescription & image)
   }
   else
   {
-    image.warnings.push_back(image.fileName + ": the header has neither qform nor sform: axes taken as RAS, origin 0");
-    take({ sizes.asDiagonal(), Vector3::Zero() });
+    image.warnings.push_back(image.fileName + ": the header has neither qform nor sform: axes taken as LPS, origin 0");
+    setGeometry(image, unit * Matrix3(sizes.asDiagonal()), Vector3::Zero()); // as ITK and Slicer do
   }
 }
 

@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 ComponentType
 nrrdComponentType(const std::string & file, const std::string & type)
 {
-  static const std::map<std::string, ComponentType> types{ { "char", ComponentType::Int8 },
-                                                           { "signed char", ComponentType::Int8 },
+  static const std::map<std::string, ComponentType> types{ { "signed char", ComponentType::Int8 },
                                                            { "int8", ComponentType::Int8 },
                                                            { "int8_t", ComponentType::Int8 },
                                                            { "uchar", ComponentType::UInt8 },
@@ -118,7 +117,7 @@ nrrdSpace(const NrrdHeader & header, ImageDescription & image)
   {
     throw BadInput(ErrorCode::Dimension,
                    image.fileName,
-                   "space dimension " + quoted(header.get("space dimension")) + ", need 3",
+                   "space dimension " + quoted(header.get("space dimension")) + ", need a 3-D image",
                    exportScalarVolume);
   }
   if (space == "left-posterior-superior" || space == "lps")
@@ -146,7 +145,7 @@ nrrdSpace(const NrrdHeader & header, ImageDescription & image)
     const bool timed = space.find("time") != std::string::npos || space.size() == 4;
     throw BadInput(timed ? ErrorCode::Dimension : ErrorCode::Header,
                    image.fileName,
-                   "space " + quoted(space) + ", need one of three dimensions",
+                   "space " + quoted(space) + ", need that of a 3-D image",
                    exportScalarVolume);
   }
   return Vector3::Ones();
@@ -281,10 +280,9 @@ requireMillimetres(const NrrdHeader & header, const ImageDescription & image)
 }
 
 void
-setNrrdGeometry(const NrrdHeader & header, const NrrdAxes & axes, ImageDescription & image)
+setNrrdGeometry(const NrrdHeader & header, const NrrdAxes & axes, const Vector3 & toLps, ImageDescription & image)
 {
   requireMillimetres(header, image);
-  const Vector3 toLps = nrrdSpace(header, image);
   if (header.has("axis mins") || header.has("axis maxs"))
   {
     throw BadInput(ErrorCode::Unsupported,
@@ -292,9 +290,9 @@ setNrrdGeometry(const NrrdHeader & header, const NrrdAxes & axes, ImageDescripti
                    "the image's place is given by axis mins or maxs",
                    "save it with space directions");
   }
-  if (header.has("spacings") && header.has("space directions"))
+  if (header.has("spacings") && (header.has("space directions") || header.has("space")))
   {
-    throwHeader(image.fileName, "both spacings and space directions are given");
+    throwHeader(image.fileName, "spacings are given in a space, which needs space directions alone");
   }
   Matrix3             columns = Matrix3::Identity();
   std::vector<double> spacings(axes.sizes.size(), 1.0);
@@ -368,27 +366,32 @@ setNrrdByteOrder(const NrrdHeader & header, ImageDescription & image)
   image.swapped = endian == "big" && image.encoding != VoxelEncoding::Text;
 }
 
+/** Honours 'byte skip' of raw data, -1 included: they are then the end of the file. */
 void
-requireNoSkips(const NrrdHeader & header, const ImageDescription & image)
+skipBytes(const NrrdHeader & header, ImageDescription & image)
 {
-  for (const char * field : { "line skip", "byte skip" })
-  {
+  const std::uint64_t size = fs::file_size(image.dataFile);
+  const auto          skipOf = [&](const char * field) {
     const std::string value = header.get(field);
-    if (value.empty() || value == "0")
-    {
-      continue;
-    }
-    const auto counts =
-      value == "-1" ? std::vector<std::uint64_t>{ 0 } : countsOf(image.fileName, field, value); // -1: from the end
-    if (counts.size() != 1 || counts[0] > fs::file_size(image.dataFile))
+    const auto        counts = countsOf(image.fileName, field, value.empty() ? "0" : value);
+    if (counts.size() != 1 || counts[0] > size)
     {
       throwHeader(image.fileName, std::string(field) + ' ' + quoted(value) + " is more than the file holds");
     }
+    return counts[0];
+  };
+  const bool          fromEnd = header.get("byte skip") == "-1";
+  const std::uint64_t lines = skipOf("line skip");
+  const std::uint64_t bytes = fromEnd ? 0 : skipOf("byte skip");
+  if (lines > 0 || ((bytes > 0 || fromEnd) && image.encoding != VoxelEncoding::Raw))
+  {
     throw BadInput(ErrorCode::Unsupported,
                    image.fileName,
-                   std::string(field) + ' ' + quoted(value),
+                   "lines, or bytes of compressed data, are to be skipped",
                    "save the image as plain .nrrd");
   }
+  const std::uint64_t begin = image.dataBegin + bytes;
+  image.dataBegin = fromEnd && size > image.dataBegin + image.promisedBytes ? size - image.promisedBytes : begin;
 }
 
 } // namespace
@@ -410,7 +413,8 @@ checkNrrdHeader(const std::string & file)
   image.format = ImageFormat::Nrrd;
   image.keyValues = header.keyValues;
   image.encoding = nrrdEncoding(header, image);
-  NrrdAxes axes = nrrdAxes(header, image);
+  const Vector3 toLps = nrrdSpace(header, image);
+  NrrdAxes      axes = nrrdAxes(header, image);
   findSpatialAxes(image, header.keyValues.count("Segment0_ID") + header.keyValues.count("Segment0_Name") > 0, axes);
   setVoxels(image,
             { axes.sizes[axes.spatial[0]], axes.sizes[axes.spatial[1]], axes.sizes[axes.spatial[2]] },
@@ -424,8 +428,8 @@ checkNrrdHeader(const std::string & file)
     image.dataBegin = 0;
   }
   setNrrdByteOrder(header, image);
-  requireNoSkips(header, image);
-  setNrrdGeometry(header, axes, image);
+  skipBytes(header, image);
+  setNrrdGeometry(header, axes, toLps, image);
   requirePlausibleSize(image);
   return image;
 }
