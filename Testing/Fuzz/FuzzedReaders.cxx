@@ -4,6 +4,7 @@
 #include "LegacyVtkCheck.h"
 #include "SurfaceCheck.h"
 #include "SurfaceFormats.h"
+#include "XmlVtkCheck.h"
 #include "moserhex/HexMeshIO/HexCellReader.h"
 
 #include <stdexcept>
@@ -34,6 +35,12 @@ checkSurface(const std::string & fileName)
 }
 
 void
+checkXml(const std::string & fileName)
+{
+  requireHonestXml(fileName, "PolyData", exportSurfaceAgain);
+}
+
+void
 readCells(const std::string & fileName)
 {
   (void)readHexCells(fileName);
@@ -55,6 +62,7 @@ fuzzedReaders()
     { "off", ".off", readTriangles<readOff> },
     { "vtk_surface", ".vtk", readTriangles<readVtk> },
     { "vtk_counts", ".vtk", requireHonestCounts },
+    { "vtk_xml", ".vtp", checkXml },
     { "surface", ".off", checkSurface },
     { "gmsh", ".msh", readCells },
     { "medit", ".mesh", readCells },
