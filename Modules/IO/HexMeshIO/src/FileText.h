@@ -78,6 +78,12 @@ public:
   void
   skipBytes(std::size_t count, const char * what);
 
+  void
+  rewind()
+  {
+    m_Position = 0;
+  }
+
   /** Goes behind the next occurrence of `mark`. \throws BadInput  there is none */
   void
   skipBehind(const std::string & mark);

@@ -308,7 +308,9 @@ private:
   {
     try
     {
-      return voxelise(m_File.mesh);
+      SurfaceVoxelisationOptions options;
+      options.voxelsInBox = 1e5; // some 1 % of the volume is enough here
+      return voxelise(m_File.mesh, options);
     }
     catch (const InvalidInput & error)
     {

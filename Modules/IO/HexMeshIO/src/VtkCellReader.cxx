@@ -4,6 +4,7 @@
 #include "LegacyVtkCheck.h"
 #include "VtkMessages.h"
 #include "VtkSpace.h"
+#include "XmlVtkCheck.h"
 
 #include <vtkCell.h>
 #include <vtkCellArray.h>
@@ -104,6 +105,7 @@ readVtkCells(const std::string & fileName)
   FileGrid file;
   if (endsWith(fileName, ".vtu"))
   {
+    requireHonestXml(fileName, "UnstructuredGrid", writeAgain);
     file = readGridWith<vtkXMLUnstructuredGridReader>(fileName);
   }
   else

@@ -1,8 +1,8 @@
-#include "FileText.h"
-#include "ImageHeader.h"
 #include "PolygonCollector.h"
 #include "VtkMessages.h"
 #include "VtkSpace.h"
+#include "XmlVtkCheck.h"
+#include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <vtkCellArray.h>
 #include <vtkFieldData.h>
@@ -17,42 +17,6 @@ namespace moserhex
 {
 namespace
 {
-
-/** Before VTK's reader asks for memory: no entities, and no count that the file cannot hold. */
-void
-requireHonestXml(const std::string & fileName)
-{
-  FileText text(fileName, exportSurfaceAgain, '\0', ErrorCode::Format);
-  if (text.contains("<!DOCTYPE") || text.contains("<!ENTITY"))
-  {
-    text.refuse("DOCTYPE and entities are not allowed");
-  }
-  if (!text.contains("<VTKFile"))
-  {
-    text.refuse("the content is not an XML file of VTK");
-  }
-  if (!text.contains("<PolyData"))
-  {
-    text.refuse(ErrorCode::Unsupported, "not a surface (no PolyData element)");
-  }
-  const std::uint64_t most = deflateLimit * text.remaining();
-  while (text.contains("NumberOf"))
-  {
-    text.skipBehind("NumberOf");
-    const std::string_view begin = text.peekBytes(80);
-    const std::size_t      quote = begin.find_first_of("\"'");
-    const std::size_t      end = quote == std::string_view::npos ? quote : begin.find(begin[quote], quote + 1);
-    std::uint64_t          count = 0;
-    if (end == std::string_view::npos || !parseNumber(begin.substr(quote + 1, end - quote - 1), count))
-    {
-      text.refuse(ErrorCode::Header, "a count NumberOf... that is none");
-    }
-    if (count > most)
-    {
-      text.refuse(ErrorCode::Truncated, "the file is too short for a count of " + std::to_string(count));
-    }
-  }
-}
 
 RawSurface
 surfaceOf(const std::string & fileName, vtkPolyData & data)
@@ -92,7 +56,7 @@ surfaceOf(const std::string & fileName, vtkPolyData & data)
 RawSurface
 readVtp(const std::string & fileName)
 {
-  requireHonestXml(fileName);
+  requireHonestXml(fileName, "PolyData", exportSurfaceAgain);
   const VtkMessages            messages;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(fileName.c_str());

@@ -491,4 +491,6 @@ TEST(SurfaceFormats, XmlThatCouldHarmIsRefused)
   EXPECT_EQ(codeOf("vtp", replaced(vtp, "\"0\"", "\"4000000000\"")), ErrorCode::Truncated);
   EXPECT_EQ(codeOf("vtp", replaced(vtp, "<PolyData>", "<ImageData>")), ErrorCode::Unsupported);
   EXPECT_EQ(codeOf("vtp", "hello"), ErrorCode::Format);
+  EXPECT_EQ(codeOf("vtp", replaced(vtp, "<Piece", "<FieldData><Array type=\"nan\"/></FieldData><Piece")),
+            ErrorCode::Header);
 }

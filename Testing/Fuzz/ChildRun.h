@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace moserhex::fuzz
+{
+
+struct ChildLimits
+{
+  double      seconds{ 10.0 };   ///< wall time
+  std::size_t mebibytes{ 2048 }; ///< address space; 0: no limit, for sanitizers
+};
+
+struct ChildResult
+{
+  bool        finished{ false }; ///< returned in time
+  std::string text;              ///< what `work` returned, else what happened: "signal 11", "over 10 s"
+};
+
+/** Runs `work` in a child that is killed with all its own children at the limit. Its output goes nowhere. `work` must
+ * not throw.
+ * \throws std::runtime_error  no child can be made */
+[[nodiscard]] ChildResult
+runInChild(const std::function<std::string()> & work, const ChildLimits & limits);
+
+} // namespace moserhex::fuzz
