@@ -1,3 +1,4 @@
+#include "CheckCommand.h"
 #include "Console.h"
 #include "MeshCommand.h"
 #include "QualityCommand.h"
@@ -26,20 +27,61 @@ versionText()
          versions.vtk + ", Eigen " + versions.eigen;
 }
 
+/** Which solid of which file: the same for all commands. */
+void
+addSolidOptions(CLI::App & command, InputOptions & options)
+{
+  command.add_option("--label", options.label, "Label to take; without it all labels together");
+  command.add_option("--segment", options.segment, "Segment of a .seg.nrrd, by name, ID or number from 1");
+  command.add_option("--threshold", options.threshold, "Take the voxels of a probability map at or above this value");
+  command.add_flag("!--no-sandbox",
+                   options.sandbox,
+                   "Read the file in this process instead of a child with limits of memory and time");
+}
+
+void
+addInput(CLI::App & command, InputOptions & options)
+{
+  command
+    .add_option(
+      "INPUT", options.file, "Labelmap (.nrrd .nhdr .nii .nii.gz .mha .mhd) or surface (.vtk .vtp .stl .obj .ply .off)")
+    ->required();
+}
+
+void
+addMaximumRepair(CLI::App & command, double & percent)
+{
+  command
+    .add_option("--max-repair", percent, "Refuse labels whose topology needs more than so many per cent of the volume")
+    ->check(CLI::Range(0.0, 100.0))
+    ->capture_default_str();
+}
+
+void
+addThreadsAndQuiet(CLI::App & command, unsigned int & threads, bool & quiet)
+{
+  command.add_option("--threads", threads, "Threads to use; the result does not depend on it [all]")
+    ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", quiet, "Print warnings and errors only");
+}
+
 void
 addMeshCommand(CLI::App & program, MeshCommandOptions & options)
 {
   CLI::App * command =
-    program.add_subcommand("mesh", "Mesh one label of a labelmap, or the inside of a closed surface");
-  command
-    ->add_option(
-      "INPUT", options.input, "Labelmap (.nrrd .nii .nii.gz .mha .mhd) or surface (.vtk .vtp .stl .obj .ply .off)")
-    ->required();
+    program.add_subcommand("mesh", "Mesh a label of a labelmap, all its labels together, or the inside of a surface");
+  addInput(*command, options.input);
   command->add_option("OUTPUT", options.output, "Mesh to write (.vtu or .vtk), LPS millimetres")->required();
   command->add_option("--shells", options.shells, "Number of shells N: (2N)^3 nodes")
     ->check(CLI::Range(2, 64))
     ->capture_default_str();
-  command->add_option("--label", options.label, "Label to mesh; not needed when there is only one");
+  addSolidOptions(*command, options.input);
+  command
+    ->add_option(
+      "--topology", options.topology, "What to do with a label that is not one solid without cavities and handles")
+    ->check(CLI::IsMember({ "repair", "reject" }))
+    ->capture_default_str();
+  addMaximumRepair(*command, options.maximumRepairPercent);
   command->add_option("--stage", options.stage, "Last stage to run")
     ->check(CLI::IsMember({ "initial", "smoothed", "moser", "exact" }))
     ->capture_default_str();
@@ -67,9 +109,7 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
     ->check(CLI::IsMember({ "auto", "chan-vese", "snapshots", "eikonal" }))
     ->capture_default_str();
   command->add_option("--report", options.reportFile, "Write a report of the run as JSON");
-  command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")
-    ->check(CLI::Range(1, 1024));
-  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  addThreadsAndQuiet(*command, options.threads, options.quiet);
 }
 
 CLI::App *
@@ -77,12 +117,24 @@ addQualityCommand(CLI::App & program, QualityCommandOptions & options)
 {
   CLI::App * command = program.add_subcommand("quality", "Measure the quality of a hexahedral mesh of any tool");
   command->add_option("MESH", options.mesh, "Hexahedra (.vtu .vtk .msh .mesh .inp), LPS millimetres")->required();
-  command->add_option("--label-image", options.labelImage, "Labelmap to compare the mesh with");
-  command->add_option("--label", options.label, "Label in it; not needed when there is only one");
+  command->add_option("--label-image", options.labelImage.file, "Labelmap to compare the mesh with");
+  addSolidOptions(*command, options.labelImage);
   command->add_option("--json", options.jsonFile, "Write the numbers as JSON");
-  command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")
-    ->check(CLI::Range(1, 1024));
-  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  addThreadsAndQuiet(*command, options.threads, options.quiet);
+  return command;
+}
+
+CLI::App *
+addCheckCommand(CLI::App & program, CheckCommandOptions & options)
+{
+  CLI::App * command =
+    program.add_subcommand("check", "Say what is wrong with a label, and what a repair would change");
+  addInput(*command, options.input);
+  addSolidOptions(*command, options.input);
+  command->add_flag("--all-labels", options.allLabels, "A table of all labels");
+  addMaximumRepair(*command, options.maximumRepairPercent);
+  command->add_option("--json", options.jsonFile, "Write the diagnosis as JSON");
+  addThreadsAndQuiet(*command, options.threads, options.quiet);
   return command;
 }
 
@@ -98,7 +150,7 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   if (parsed.empty() && !unknown.empty() && unknown.front().front() != '-')
   {
     printError(ErrorCode::Usage,
-               "no command " + unknown.front() + ", there are mesh, quality and sample; see moserhex --help");
+               "no command " + unknown.front() + ", there are mesh, check, quality and sample; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -145,6 +197,8 @@ run(int argc, char ** argv)
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
+  CheckCommandOptions   checkOptions;
+  const CLI::App *      check = addCheckCommand(program, checkOptions);
   QualityCommandOptions qualityOptions;
   const CLI::App *      quality = addQualityCommand(program, qualityOptions);
   std::string           sampleFolder;
@@ -165,6 +219,10 @@ run(int argc, char ** argv)
   if (sample->parsed())
   {
     return runGuarded([&] { runSampleCommand(sampleFolder, sampleQuiet); });
+  }
+  if (check->parsed())
+  {
+    return runGuarded([&] { runCheckCommand(checkOptions); });
   }
   if (quality->parsed())
   {

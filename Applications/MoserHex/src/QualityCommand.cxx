@@ -1,11 +1,10 @@
 #include "QualityCommand.h"
 
+#include "CommandErrors.h"
 #include "Console.h"
-#include "MeshCommand.h"
 #include "SameFile.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexCellReader.h"
-#include "moserhex/HexMeshIO/LabelImageReader.h"
 #include "moserhex/HexMeshIO/QualityReport.h"
 
 #include <array>
@@ -24,11 +23,12 @@ constexpr double smallestUsualDice = 0.1;
 void
 requireUsableOptions(const QualityCommandOptions & options)
 {
-  if (options.label && options.labelImage.empty())
+  const InputOptions & image = options.labelImage;
+  if ((image.label || image.segment || image.threshold) && image.file.empty())
   {
-    throw UsageError("--label without --label-image; say which image has the label");
+    throw UsageError("--label, --segment or --threshold without --label-image; say which image they are of");
   }
-  for (const std::string & input : { options.mesh, options.labelImage })
+  for (const std::string & input : { options.mesh, image.file })
   {
     if (sameFile(input, options.jsonFile))
     {
@@ -44,13 +44,14 @@ requireUsableOptions(const QualityCommandOptions & options)
 QualityReport::Label
 compare(const HexCellFile & file, const QualityCommandOptions & options, std::vector<std::string> & warnings)
 {
-  const LabelImage   image = readLabelImage(options.labelImage);
-  const LabelEntry & entry = chooseLabel(image, options.label);
-  warnings.insert(warnings.end(), image.warnings.begin(), image.warnings.end());
+  const ChosenSolid solid = readSolid(options.labelImage);
+  warnings.insert(warnings.end(), solid.image.warnings.begin(), solid.image.warnings.end());
   try
   {
-    const LabelVolume voxels = labelVolumeOf(*image.image, entry.value);
-    return { options.labelImage, entry.value, compareWithLabel(file.mesh, voxels, options.threads) };
+    const LabelVolume voxels = labelVolumeOf(*solid.mask, solid.value);
+    return {
+      options.labelImage.file, solid.labelValues(), solid.name(), compareWithLabel(file.mesh, voxels, options.threads)
+    };
   }
   catch (const InvalidInput & error)
   {
@@ -75,7 +76,7 @@ measure(const QualityCommandOptions & options)
   {
     report.warnings.push_back("the mesh's volume is negative: the cells' nodes are in left-handed order");
   }
-  if (!options.labelImage.empty())
+  if (!options.labelImage.file.empty())
   {
     report.label = compare(file, options, report.warnings);
     if (report.label->agreement.dice < smallestUsualDice)
@@ -179,8 +180,8 @@ printReport(const QualityReport & report)
               numberText(quality.ratioMax, 4).c_str());
   if (report.label)
   {
-    std::printf("label %lld: %.3f mL, volume error %.3g, Dice %.4f\n",
-                static_cast<long long>(report.label->value),
+    std::printf("%s: %.3f mL, volume error %.3g, Dice %.4f\n",
+                report.label->name.c_str(),
                 report.label->agreement.labelVolume / 1000.0,
                 report.label->agreement.volumeError,
                 report.label->agreement.dice);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include "ChosenSolid.h"
+
 #include <string>
 
 namespace moserhex::app
@@ -9,12 +9,11 @@ namespace moserhex::app
 
 struct QualityCommandOptions
 {
-  std::string                 mesh;
-  std::string                 labelImage; ///< empty: the mesh is not compared with a label
-  std::optional<std::int32_t> label;
-  std::string                 jsonFile; ///< empty: none
-  unsigned int                threads{ 0 };
-  bool                        quiet{ false };
+  std::string  mesh;
+  InputOptions labelImage; ///< no file: the mesh is not compared with a label
+  std::string  jsonFile;   ///< empty: none
+  unsigned int threads{ 0 };
+  bool         quiet{ false };
 };
 
 /** Prints the quality of a hexahedral mesh of any tool, and how it fills a label; writes both as JSON.

@@ -111,7 +111,7 @@ requireNoOtherKind(const std::string & fileName)
 } // namespace
 
 void
-requireReadableFile(const std::string & fileName)
+requireRegularFile(const std::string & fileName)
 {
   std::error_code error;
   const auto      status = fs::status(fileName, error);
@@ -123,6 +123,12 @@ requireReadableFile(const std::string & fileName)
   {
     throw BadInput(ErrorCode::NoInput, fileName, "is not a regular file", "give a file");
   }
+}
+
+void
+requireReadableFile(const std::string & fileName)
+{
+  requireRegularFile(fileName);
   if (!std::ifstream(fileName, std::ios::binary))
   {
     throw IOError(ErrorCode::InputOutput,

@@ -42,6 +42,10 @@ imageFormatOf(const std::string & fileName);
 [[nodiscard]] bool
 isImageFileName(const std::string & fileName);
 
+/** \throws BadInput (NoInput) unless the name is an existing, regular file */
+void
+requireRegularFile(const std::string & fileName);
+
 /** \throws BadInput unless the name is an existing, non-empty, regular file; IOError when it cannot be opened */
 void
 requireReadableFile(const std::string & fileName);

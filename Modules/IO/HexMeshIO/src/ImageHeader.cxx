@@ -19,7 +19,6 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t mostVoxels = 500'000'000;
-constexpr std::uint64_t deflateLimit = 1032;
 
 } // namespace
 

@@ -12,6 +12,9 @@ namespace moserhex
 
 // What the checks of the three image formats share.
 
+/** Deflate compresses at most 1032-fold. */
+constexpr std::uint64_t deflateLimit = 1032;
+
 /** Remedies that several refusals share. */
 constexpr const char * copyAgain = "copy or export the file again";
 constexpr const char * exportScalarVolume = "export the image again as one 3-D scalar volume";

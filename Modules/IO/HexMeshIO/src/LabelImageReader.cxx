@@ -247,6 +247,14 @@ labelVolumeOfAll(const LabelImageType & image)
   return volumeWhere(image, [](LabelValue value) { return value != 0; });
 }
 
+LabelValues
+labelValuesOf(const LabelImageType & image)
+{
+  LabelValues values{ voxelGridOf(image), {} };
+  values.values.assign(image.GetBufferPointer(), image.GetBufferPointer() + values.gridVoxels());
+  return values;
+}
+
 LabelImageType::Pointer
 labelImageOf(const LabelVolume & volume)
 {

@@ -62,7 +62,9 @@ qualityJson(const HexQualitySummary & quality)
 Json
 labelJson(const QualityReport::Label & label)
 {
-  Json json{ { "file", label.file }, { "label", label.value } };
+  Json json{ { "file", label.file } };
+  json["label"] = label.labels.size() == 1 ? Json(label.labels.front()) : Json();
+  json["labels"] = label.labels;
   json["volume_mm3"] = label.agreement.labelVolume;
   json["volume_error"] = label.agreement.volumeError;
   json["dice"] = label.agreement.dice;

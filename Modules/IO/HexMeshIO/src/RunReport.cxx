@@ -1,5 +1,6 @@
 #include "moserhex/HexMeshIO/RunReport.h"
 
+#include "TopologyJson.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
 #include <itkVersion.h>
@@ -35,7 +36,9 @@ stageJson(const StageRecord & stage)
 Json
 inputJson(const RunReport::Input & input)
 {
-  Json json{ { "file", input.file }, { "sha256", input.sha256 }, { "label", input.label } };
+  Json json{ { "file", input.file }, { "sha256", input.sha256 } };
+  json["label"] = input.labels.size() == 1 ? Json(input.labels.front()) : Json();
+  json["labels"] = input.labels;
   if (!input.labelName.empty())
   {
     json["label_name"] = input.labelName;
@@ -44,6 +47,38 @@ inputJson(const RunReport::Input & input)
   json["voxels"] = input.voxels;
   json["volume_mm3"] = input.volume;
   return json;
+}
+
+Json
+parametersJson(const RunReport::Parameters & parameters)
+{
+  Json json{ { "shells", parameters.shells },
+             { "stage", parameters.stage },
+             { "shell_method", parameters.shellMethod },
+             { "way", parameters.way },
+             { "frame", parameters.frame },
+             { "density", parameters.density },
+             { "topology", parameters.topology },
+             { "max_repair_percent", parameters.maximumRepair } };
+  json["threshold"] = parameters.threshold ? Json(*parameters.threshold) : Json();
+  json["segment"] = parameters.segment ? Json(*parameters.segment) : Json();
+  return json;
+}
+
+Json
+conditioningJson(const RunReport::Conditioning & conditioning)
+{
+  return { { "components", conditioning.components },
+           { "cavities", conditioning.cavities },
+           { "handles", conditioning.handles },
+           { "changes", changesJson(conditioning.changes, conditioning.voxelVolume) },
+           { "voxels_added", conditioning.voxelsAdded },
+           { "voxels_removed", conditioning.voxelsRemoved },
+           { "added_mm3", static_cast<double>(conditioning.voxelsAdded) * conditioning.voxelVolume },
+           { "removed_mm3", static_cast<double>(conditioning.voxelsRemoved) * conditioning.voxelVolume },
+           { "changed_percent", conditioning.changedPercent },
+           { "sigma_mm", conditioning.sigma },
+           { "dice", conditioning.dice } };
 }
 
 } // namespace
@@ -66,12 +101,8 @@ toJson(const RunReport & report)
   json["coordinate_system"] = "LPS";
   json["units"] = "mm";
   json["input"] = inputJson(report.input);
-  json["parameters"] = { { "shells", report.parameters.shells },
-                         { "stage", report.parameters.stage },
-                         { "shell_method", report.parameters.shellMethod },
-                         { "way", report.parameters.way },
-                         { "frame", report.parameters.frame },
-                         { "density", report.parameters.density } };
+  json["parameters"] = parametersJson(report.parameters);
+  json["conditioning"] = conditioningJson(report.conditioning);
   if (report.density)
   {
     json["density"] = { { "file", report.density->file },
@@ -111,6 +142,7 @@ toJson(const RunReport & report)
       json["exact"]["mass_quadrature_error"] = report.exact->massQuadratureError;
     }
   }
+  json["warning_count"] = report.warnings.size();
   json["warnings"] = Json(report.warnings);
   json["versions"] = { { "moserhex", report.versions.moserhex },
                        { "git", report.versions.git },

@@ -1,5 +1,6 @@
 #include "moserhex/HexMeshIO/Sha256.h"
 
+#include "ImageFileCheck.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <algorithm>
@@ -123,6 +124,7 @@ Sha256::hexDigest() const
 std::string
 sha256OfFile(const std::string & fileName)
 {
+  requireRegularFile(fileName);
   const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(fileName.c_str(), "rb"), &std::fclose);
   if (!file)
   {

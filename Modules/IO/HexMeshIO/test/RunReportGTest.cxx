@@ -19,7 +19,7 @@ someReport()
   RunReport report;
   report.input.file = "case.nrrd";
   report.input.sha256 = std::string(64, 'a');
-  report.input.label = 3;
+  report.input.labels = { 3 };
   report.input.spacing = Vector3(0.1, 1.0 / 3.0, 3.0);
   report.input.voxels = 68000;
   report.input.volume = 51000.1;

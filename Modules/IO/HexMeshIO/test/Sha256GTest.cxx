@@ -63,7 +63,9 @@ TEST(Sha256, OfAFileIsThatOfItsBytes)
   EXPECT_EQ(sha256OfFile(folder / "abc"), digestOf("abc"));
 }
 
-TEST(Sha256, MissingFileIsRefused)
+TEST(Sha256, WhatIsNoRegularFileIsRefused)
 {
-  EXPECT_THROW((void)sha256OfFile("/nonexistent/file"), IOError);
+  const TestFolder folder;
+  EXPECT_THROW((void)sha256OfFile("/nonexistent/file"), BadInput);
+  EXPECT_THROW((void)sha256OfFile(folder / "."), BadInput);
 }

@@ -2,6 +2,7 @@
 
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/LevelSet/LabelVolume.h"
+#include "moserhex/Quality/CellLabels.h"
 
 #include <itkImage.h>
 
@@ -93,6 +94,10 @@ labelVolumeOf(const LabelImageType & image, LabelValue label);
 /** The voxels of all labels together: every one that is not 0. */
 [[nodiscard]] LabelVolume
 labelVolumeOfAll(const LabelImageType & image);
+
+/** All labels on their voxels. */
+[[nodiscard]] LabelValues
+labelValuesOf(const LabelImageType & image);
 
 /** The voxels of a volume as an image: 1 inside, 0 outside. */
 [[nodiscard]] LabelImageType::Pointer

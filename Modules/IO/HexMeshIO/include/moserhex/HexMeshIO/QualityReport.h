@@ -18,9 +18,10 @@ struct QualityReport
 {
   struct Label
   {
-    std::string    file;
-    std::int64_t   value{ 0 };
-    LabelAgreement agreement;
+    std::string               file;
+    std::vector<std::int64_t> labels; ///< one, or those that were taken together
+    std::string               name;   ///< for people
+    LabelAgreement            agreement;
   };
 
   std::string              file;

@@ -2,6 +2,7 @@
 
 #include "moserhex/Common/Types.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/LevelSet/TopologyRepair.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -35,13 +36,13 @@ struct RunReport
 {
   struct Input
   {
-    std::string  file;
-    std::string  sha256;
-    std::int64_t label{ 0 };
-    std::string  labelName;
-    Vector3      spacing{ Vector3::Zero() }; ///< [mm]
-    std::size_t  voxels{ 0 };
-    double       volume{ 0.0 }; ///< voxels x volume of a voxel [mm^3]
+    std::string               file;
+    std::string               sha256;
+    std::vector<std::int64_t> labels;                     ///< one, or those that were taken together
+    std::string               labelName;                  ///< of the one
+    Vector3                   spacing{ Vector3::Zero() }; ///< [mm]
+    std::size_t               voxels{ 0 };
+    double                    volume{ 0.0 }; ///< voxels x volume of a voxel [mm^3]
   };
   struct Parameters
   {
@@ -51,6 +52,11 @@ struct RunReport
     std::string way;     ///< fast | faithful; empty when the stage is not exact
     std::string frame;   ///< anatomical | ridge
     std::string density; ///< file; empty: volumes
+
+    std::string                topology;             ///< repair | reject
+    double                     maximumRepair{ 0.0 }; ///< [%]
+    std::optional<double>      threshold;            ///< of a probability map
+    std::optional<std::string> segment;              ///< of a .seg.nrrd
   };
   /** The density that was kept, in the image's own unit. */
   struct Density
@@ -78,6 +84,20 @@ struct RunReport
     double                   massQuadratureError{ 0.0 }; ///< with a density: estimated, of the worst cell's mass [1]
     std::vector<std::string> shortcomings;               ///< empty when reached
   };
+  /** What was done to the label's topology, and how it was smoothed. */
+  struct Conditioning
+  {
+    std::size_t                 components{ 1 }; ///< of the label as it was, as are cavities and handles
+    std::size_t                 cavities{ 0 };
+    long                        handles{ 0 };
+    std::vector<TopologyChange> changes;
+    std::size_t                 voxelsAdded{ 0 };
+    std::size_t                 voxelsRemoved{ 0 };
+    double                      voxelVolume{ 0.0 };    ///< [mm^3]
+    double                      changedPercent{ 0.0 }; ///< voxels added and removed over those of the label [%]
+    double                      sigma{ 0.0 };          ///< of the Gaussian [mm]
+    double                      dice{ 0.0 };           ///< of the conditioned solid and the repaired label's voxels [1]
+  };
   struct Mesh
   {
     std::string file;
@@ -101,6 +121,7 @@ struct RunReport
 
   Input                    input;
   std::optional<Density>   density; ///< empty: volumes
+  Conditioning             conditioning;
   Parameters               parameters;
   std::vector<StageRecord> stages;
   Mesh                     mesh;
