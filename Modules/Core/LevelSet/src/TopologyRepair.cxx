@@ -43,6 +43,12 @@ nameOf(TopologyChangeKind kind, std::size_t count)
   return {};
 }
 
+bool
+countsHandles(TopologyChangeKind kind)
+{
+  return kind == TopologyChangeKind::HandleCut || kind == TopologyChangeKind::TunnelFilled;
+}
+
 TopologyChangeKind
 kindOf(const detail::TopologyPatch & patch)
 {
@@ -53,10 +59,16 @@ kindOf(const detail::TopologyPatch & patch)
   return patch.handles > 0 ? TopologyChangeKind::HandleCut : TopologyChangeKind::ComponentRemoved;
 }
 
+/** Of all changes; not less than what is different in the end. */
 std::size_t
 changedVoxels(const TopologyRepairReport & report)
 {
-  return report.voxelsAdded() + report.voxelsRemoved();
+  std::size_t voxels = 0;
+  for (const TopologyChange & change : report.changes)
+  {
+    voxels += change.voxels;
+  }
+  return voxels;
 }
 
 Vector3
@@ -94,7 +106,7 @@ fillCavities(LabelVolume & label, TopologyRepairReport & report)
   {
     if (!cavity.empty())
     {
-      report.changes.push_back({ TopologyChangeKind::CavityFilled, 1, cavity.size(), meanPoint(label, cavity) });
+      report.changes.push_back({ TopologyChangeKind::CavityFilled, 1, 0, cavity.size(), meanPoint(label, cavity) });
     }
   }
 }
@@ -122,13 +134,8 @@ repairRound(LabelVolume & label, detail::PatchThickener & thickener, std::size_t
     if (!round.mustWait(patch) && round.make(patch))
     {
       any = true;
-      const TopologyChangeKind kind = kindOf(patch);
-      report.changes.push_back({ kind,
-                                 kind == TopologyChangeKind::ComponentRemoved   ? patch.components
-                                 : kind == TopologyChangeKind::ComponentsJoined ? patch.components
-                                                                                : patch.handles,
-                                 patch.voxels.size(),
-                                 meanPoint(label, patch.voxels) });
+      report.changes.push_back(
+        { kindOf(patch), patch.components, patch.handles, patch.voxels.size(), meanPoint(label, patch.voxels) });
     }
   }
   return std::nullopt;
@@ -186,6 +193,16 @@ refuse(const TopologyRepairReport & report, const TooMuch & tooMuch, const Topol
   throw InvalidInput(ErrorCode::Topology, message.str());
 }
 
+void
+countDifference(const LabelVolume & before, const LabelVolume & after, TopologyRepairReport & report)
+{
+  for (std::size_t voxel = 0; voxel < before.inside.size(); ++voxel)
+  {
+    report.voxelsAdded += before.inside[voxel] < after.inside[voxel] ? 1 : 0;
+    report.voxelsRemoved += before.inside[voxel] > after.inside[voxel] ? 1 : 0;
+  }
+}
+
 /** Copies the box of `source` without its margin to where it was cut out of `target`. */
 void
 pasteBox(const LabelVolume & source, LabelVolume & target)
@@ -215,7 +232,7 @@ describe(const TopologyRepairReport & report, TopologyChangeKind kind)
   {
     if (change.kind == kind)
     {
-      count += change.count;
+      count += countsHandles(kind) ? change.handles : change.parts;
       voxels += change.voxels;
       largest = largest == nullptr || change.voxels > largest->voxels ? &change : largest;
     }
@@ -237,32 +254,10 @@ describe(const TopologyRepairReport & report, TopologyChangeKind kind)
 
 } // namespace
 
-std::size_t
-TopologyRepairReport::voxelsAdded() const
-{
-  std::size_t voxels = 0;
-  for (const TopologyChange & change : changes)
-  {
-    voxels += change.adds() ? change.voxels : 0;
-  }
-  return voxels;
-}
-
-std::size_t
-TopologyRepairReport::voxelsRemoved() const
-{
-  std::size_t voxels = 0;
-  for (const TopologyChange & change : changes)
-  {
-    voxels += change.adds() ? 0 : change.voxels;
-  }
-  return voxels;
-}
-
 double
 TopologyRepairReport::changedFraction() const
 {
-  return changes.empty() ? 0.0 : static_cast<double>(changedVoxels(*this)) / static_cast<double>(labelVoxels);
+  return changes.empty() ? 0.0 : static_cast<double>(voxelsAdded + voxelsRemoved) / static_cast<double>(labelVoxels);
 }
 
 std::vector<std::string>
@@ -306,6 +301,7 @@ repairTopology(const LabelVolume & label, const TopologyRepairOptions & options)
     {
       pasteBox(repaired, result.label);
       result.report = report;
+      countDifference(box, repaired, result.report);
       return result;
     }
     if (options.radius == 0.0)

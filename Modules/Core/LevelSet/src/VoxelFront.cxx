@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -14,10 +13,47 @@ namespace
 
 constexpr double notReached = std::numeric_limits<double>::infinity();
 
-/** Voxels in the order of a value, ties by voxel number. */
-using Queue = std::priority_queue<std::pair<double, std::size_t>,
-                                  std::vector<std::pair<double, std::size_t>>,
-                                  std::greater<std::pair<double, std::size_t>>>;
+/** Voxels in the order of a value; of equals the one that came first, so that fronts move evenly. */
+class Queue
+{
+public:
+  void
+  push(double order, std::size_t voxel)
+  {
+    m_Entries.push({ order, m_Pushed++, voxel });
+  }
+
+  std::size_t
+  pop()
+  {
+    const std::size_t voxel = m_Entries.top().voxel;
+    m_Entries.pop();
+    return voxel;
+  }
+
+  [[nodiscard]] bool
+  empty() const
+  {
+    return m_Entries.empty();
+  }
+
+private:
+  struct Entry
+  {
+    double      order;
+    std::size_t turn;
+    std::size_t voxel;
+
+    bool
+    operator<(const Entry & other) const // the largest comes first
+    {
+      return order > other.order || (order == other.order && turn > other.turn);
+    }
+  };
+
+  std::priority_queue<Entry> m_Entries;
+  std::size_t                m_Pushed{ 0 };
+};
 
 /** Flips simple voxels of the queue to `value`, and then what comes into reach: `follows(voxel)` says which voxels may
  * be flipped, `order(voxel)` when, `flipped(voxel)` hears of each. `queued` is all 0 before and after. */
@@ -34,8 +70,7 @@ propagate(std::vector<std::uint8_t> & mask,
 {
   while (!queue.empty())
   {
-    const std::size_t voxel = queue.top().second;
-    queue.pop();
+    const std::size_t voxel = queue.pop();
     queued[voxel] = 0;
     if (mask[voxel] == value || !isSimpleVoxel(neighbourhood.inside(mask, voxel)))
     {
@@ -49,7 +84,7 @@ propagate(std::vector<std::uint8_t> & mask,
       if (mask[next] != value && queued[next] == 0 && follows(next))
       {
         queued[next] = 1;
-        queue.emplace(order(next), next);
+        queue.push(order(next), next);
       }
     }
   }
@@ -109,7 +144,7 @@ ballWithin(const LabelVolume & label, const std::vector<double> & order, std::si
     const std::size_t next = seed + static_cast<std::size_t>(stride);
     if (follows(next))
     {
-      queue.emplace(order[next], next);
+      queue.push(order[next], next);
     }
   }
   std::vector<std::uint8_t> queued(ball.size(), 0);
@@ -132,7 +167,7 @@ ballAround(const LabelVolume & label, const std::vector<double> & order)
       });
     if (atOutside && label.inside[voxel] == 0)
     {
-      queue.emplace(-order[voxel], voxel);
+      queue.push(-order[voxel], voxel);
     }
   });
   std::vector<std::uint8_t> queued(ball.size(), 0);
@@ -250,7 +285,7 @@ PatchThickener::thicken(std::vector<std::uint8_t> & mask, std::vector<std::size_
       const std::size_t next = voxel + static_cast<std::size_t>(stride);
       if (m_Distance[next] != notReached)
       {
-        queue.emplace(m_Distance[next], next);
+        queue.push(m_Distance[next], next);
       }
     }
   }

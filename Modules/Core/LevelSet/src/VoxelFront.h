@@ -14,10 +14,9 @@ namespace moserhex::detail
 inline constexpr int frontMargin = 2;
 
 /** A ball inside the label: grown from one voxel by simple voxels of the label, those with the smallest order first
- * (ties by voxel number); a voxel that is not simple waits until it is. Cuts handles and leaves components out.
- * \param label  with an empty margin of frontMargin voxels
- * \param order  one value per voxel
- * \param seed   number of a voxel inside */
+ * (of equals the one that was reached first); a voxel that is not simple waits until it is. Cuts handles and leaves
+ * components out. \param label  with an empty margin of frontMargin voxels \param order  one value per voxel \param
+ * seed   number of a voxel inside */
 [[nodiscard]] std::vector<std::uint8_t>
 ballWithin(const LabelVolume & label, const std::vector<double> & order, std::size_t seed);
 

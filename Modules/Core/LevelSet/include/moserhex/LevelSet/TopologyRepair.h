@@ -37,7 +37,8 @@ enum class TopologyChangeKind
 struct TopologyChange
 {
   TopologyChangeKind kind{ TopologyChangeKind::ComponentRemoved };
-  std::size_t        count{ 0 };                ///< components, cavities or handles that are gone
+  std::size_t        parts{ 0 };                ///< components removed or joined to another, or cavities filled
+  std::size_t        handles{ 0 };              ///< handles cut or tunnels filled
   std::size_t        voxels{ 0 };               ///< added, or removed (component removed, handle cut)
   Vector3            centre{ Vector3::Zero() }; ///< mean of the voxel centres [mm, LPS]
 
@@ -51,15 +52,11 @@ struct TopologyChange
 struct TopologyRepairReport
 {
   VoxelTopology               before;
-  std::vector<TopologyChange> changes;            ///< in the order they were made; empty for a ball
+  std::vector<TopologyChange> changes;          ///< in the order they were made; empty for a ball
+  std::size_t                 voxelsAdded{ 0 }; ///< inside now, not before; of a voxel changed twice no change is left
+  std::size_t                 voxelsRemoved{ 0 }; ///< inside before, not now
   std::size_t                 labelVoxels{ 0 };   ///< before
   double                      voxelVolume{ 0.0 }; ///< [mm^3]
-
-  [[nodiscard]] std::size_t
-  voxelsAdded() const;
-
-  [[nodiscard]] std::size_t
-  voxelsRemoved() const;
 
   /** (added + removed) / label [1] */
   [[nodiscard]] double
