@@ -23,6 +23,8 @@ namespace
 constexpr double marginInNodes = 5.0;
 constexpr double smallestSigmaInNodes = 0.7;
 constexpr double largestSigmaOfThinLabels = 0.15; ///< of V^(1/3)
+constexpr double repairRadiusInSigmas = 2.5;      ///< a cylinder of 1.25 sigma vanishes
+constexpr double repairRadiusInVoxels = 1.05;     ///< at least, of the shortest side
 constexpr double sphericalBand = 0.5;             ///< around the zero level, in spacings
 
 void
@@ -44,20 +46,11 @@ requireValid(const ConditioningOptions & options)
           options.minimumSigma,
           ">= 0");
   require(options.sliceAnisotropy >= 1.0, "slice anisotropy", options.sliceAnisotropy, ">= 1");
+  require(options.maximumRepair >= 0.0 && options.maximumRepair <= 1.0,
+          "largest repair",
+          options.maximumRepair,
+          "0 to 1 (of the label's volume)");
   require(options.minimumDice >= 0.0 && options.minimumDice <= 1.0, "minimum Dice", options.minimumDice, "0 to 1");
-}
-
-void
-requireBall(const VoxelTopology & topology, const std::string & labelName)
-{
-  if (!topology.isBall())
-  {
-    std::ostringstream message;
-    message << labelName << ": V-E+F = " << topology.surfaceEulerCharacteristic() << ", need 2 (genus 0); "
-            << topology.handles() << (topology.handles() == 1 ? " handle" : " handles")
-            << " in the largest 6-connected component with its cavities filled";
-    throw InvalidInput(ErrorCode::Topology, message.str());
-  }
 }
 
 [[noreturn]] void
@@ -67,22 +60,6 @@ refuseThin(const std::string & labelName, const std::string & finding, double si
   message << labelName << ": too thin for a smoothing of sigma " << sigma << " mm (" << finding
           << "); use less smoothing, a finer image, or a larger label";
   throw InvalidInput(ErrorCode::Thin, message.str());
-}
-
-bool
-touchesImageBorder(const LabelVolume & label)
-{
-  const LabelVolume tight = cropAndPad(label, { { 0, 0, 0 } });
-  const Vector3     first = (label.direction.transpose() * (tight.origin - label.origin)).cwiseQuotient(label.spacing);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double lower = first[static_cast<int>(axis)];
-    if (lower < 0.5 || lower + tight.size[axis] > label.size[axis] - 0.5)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 /** Area of the faces between inside and outside voxels; the label has an empty margin. */
@@ -108,6 +85,46 @@ sigmaOfSmoothing(const ConditioningOptions & options, const Vector3 & voxel, dou
 {
   const double wanted = std::min(options.smoothing * voxel.maxCoeff(), largestSigmaOfThinLabels * std::cbrt(volume));
   return std::max({ smallestSigmaInNodes * spacing, wanted, options.minimumSigma });
+}
+
+double
+volumeOf(const LabelVolume & label)
+{
+  return static_cast<double>(voxelCount(label)) * label.voxelVolume();
+}
+
+/** The label has an empty margin. */
+double
+spacingOfGrid(const LabelVolume & padded, const ConditioningOptions & options)
+{
+  return options.spacing > 0.0 ? options.spacing
+                               : automaticSpacing(volumeOf(padded), voxelFaceArea(padded), options.nodesPerSide);
+}
+
+/** Step 1. The label has an empty margin of one voxel, and still has it afterwards. */
+void
+makeBallInPlace(LabelVolume & padded, const ConditioningOptions & options, ConditioningReport & report)
+{
+  if (options.topology == TopologyPolicy::Reject)
+  {
+    report.repair.before = voxelTopology(padded);
+    if (!report.repair.before.isBall())
+    {
+      throw InvalidInput(ErrorCode::Topology, options.labelName + ": " + describe(report.repair.before));
+    }
+    return;
+  }
+  TopologyRepairOptions repair;
+  repair.maximumChange = options.maximumRepair;
+  repair.labelName = options.labelName;
+  const double sigma = sigmaOfSmoothing(options, padded.spacing, volumeOf(padded), spacingOfGrid(padded, options));
+  repair.radius = std::max(repairRadiusInSigmas * sigma, repairRadiusInVoxels * padded.spacing.minCoeff());
+  TopologyRepairResult repaired = repairTopology(padded, repair);
+  report.repair = std::move(repaired.report);
+  if (!report.repair.changes.empty())
+  {
+    padded = cropAndPad(repaired.label, { { 1, 1, 1 } });
+  }
 }
 
 /** Empty voxels on each side that cover the margin of the grid, and two for the splines across slices. */
@@ -268,20 +285,11 @@ automaticSpacing(double volume, double faceArea, int nodesPerSide)
 std::vector<std::string>
 warningsOf(const ConditioningReport & report)
 {
-  std::vector<std::string> warnings;
-  if (report.dropped.parts > 0)
+  std::vector<std::string> warnings = describe(report.repair);
+  if (report.borders.any())
   {
-    warnings.push_back("smaller parts left out: " + std::to_string(report.dropped.parts) + ", of " +
-                       std::to_string(report.dropped.voxels) + " voxels in all");
-  }
-  if (report.filled.parts > 0)
-  {
-    warnings.push_back("cavities filled: " + std::to_string(report.filled.parts) + ", of " +
-                       std::to_string(report.filled.voxels) + " voxels in all");
-  }
-  if (report.cutByImageBorder)
-  {
-    warnings.emplace_back("the label touches the border of the image and was closed off there");
+    warnings.push_back("the label touches the border of the image and was closed off there (" + report.borders.names() +
+                       ")");
   }
   if (report.nodesCut + report.nodesFilled > 0)
   {
@@ -319,18 +327,14 @@ conditionLabel(const LabelVolume & label, const ConditioningOptions & options, c
   ConditionedSolid     solid;
   ConditioningReport & report = solid.report;
 
-  LabelVolume ball = cropAndPad(label, { { 1, 1, 1 } });
-  report.dropped = keepLargestComponentInPlace(ball);
-  report.filled = fillCavitiesInPlace(ball);
-  report.labelTopology = voxelTopology(ball);
-  requireBall(report.labelTopology, options.labelName);
-  report.cutByImageBorder = touchesImageBorder(label);
-  solid.labelVolume = static_cast<double>(voxelCount(ball)) * ball.voxelVolume();
+  report.borders = imageBordersTouched(label);
+  solid.label = cropAndPad(label, { { 1, 1, 1 } });
+  makeBallInPlace(solid.label, options, report);
+  const LabelVolume & ball = solid.label;
+  solid.labelVolume = volumeOf(ball);
   reportProgress(progress, 0.1);
 
-  const double spacing = options.spacing > 0.0
-                           ? options.spacing
-                           : automaticSpacing(solid.labelVolume, voxelFaceArea(ball), options.nodesPerSide);
+  const double spacing = spacingOfGrid(ball, options);
   report.sliceAxis = detail::findSliceAxis(ball.spacing, options.sliceAnisotropy);
   report.sigma = sigmaOfSmoothing(options, ball.spacing, solid.labelVolume, spacing);
   LevelSet f = smoothShape(ball, solid.labelVolume, spacing, options, report);

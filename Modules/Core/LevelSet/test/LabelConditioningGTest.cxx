@@ -148,13 +148,13 @@ TEST(LabelConditioning, LabelCutByTheFirstAndLastSliceIsClosedHalfASliceOut)
   // Only slices |z| <= 9 of the ball are in the image.
   const auto label = ballLabel({ { 51, 51, 7 } }, Vector3(0.8, 0.8, 3.0));
   const auto solid = conditionLabel(label, coarse());
-  EXPECT_TRUE(solid.report.cutByImageBorder);
+  EXPECT_EQ(solid.report.borders.names(), "first k, last k");
   expectSpheresAround(solid.levelSet);
   const CubicInterpolator phi(solid.levelSet);
   const double            spacing = solid.levelSet.grid.spacing;
   EXPECT_NEAR(phi.value(Vector3(0, 0, 10.5)), 0.0, spacing);
   EXPECT_NEAR(phi.value(Vector3(0, 0, -10.5)), 0.0, spacing);
-  EXPECT_FALSE(conditionLabel(ballLabel({ { 51, 51, 17 } }, Vector3(0.8, 0.8, 3.0)), coarse()).report.cutByImageBorder);
+  EXPECT_FALSE(conditionLabel(ballLabel({ { 51, 51, 17 } }, Vector3(0.8, 0.8, 3.0)), coarse()).report.borders.any());
 }
 
 TEST(LabelConditioning, ObliqueAndLeftHandedImagesGiveTheMovedSolid)
@@ -196,19 +196,20 @@ TEST(LabelConditioning, ResultScalesWithTheImage)
   }
 }
 
-TEST(LabelConditioning, SmallerComponentsAreDroppedAndCavitiesFilledAndReported)
+TEST(LabelConditioning, SmallPartsAreLeftOutAndCavitiesFilledAndReported)
 {
   LabelVolume label = ballLabel({ { 45, 45, 45 } }, Vector3::Ones());
   const auto  clean = conditionLabel(label, coarse());
+  EXPECT_TRUE(clean.report.repair.changes.empty());
   label.inside[label.voxelNumber(22, 22, 22)] = 0;
   label.inside[label.voxelNumber(22, 23, 22)] = 0;
   label.inside[label.voxelNumber(0, 0, 0)] = 1;
   const auto solid = conditionLabel(label, coarse());
-  EXPECT_EQ(solid.report.dropped.parts, 1u);
-  EXPECT_EQ(solid.report.dropped.voxels, 1u);
-  EXPECT_EQ(solid.report.filled.parts, 1u);
-  EXPECT_EQ(solid.report.filled.voxels, 2u);
+  ASSERT_EQ(solid.report.repair.changes.size(), 2u);
+  EXPECT_EQ(solid.report.repair.voxelsAdded, 2u);
+  EXPECT_EQ(solid.report.repair.voxelsRemoved, 1u);
   EXPECT_EQ(solid.labelVolume, clean.labelVolume);
+  EXPECT_EQ(solid.label.inside, clean.label.inside);
   EXPECT_EQ(solid.levelSet.values, clean.levelSet.values);
 }
 
@@ -252,16 +253,90 @@ TEST(LabelConditioning, TopologyIsProtectedWhereTheGridWouldJoinWhatTheLabelSepa
   expectSpheresAround(solid.levelSet);
 }
 
-TEST(LabelConditioning, LabelWithAHandleIsRefusedWithItsNumbers)
+TEST(LabelConditioning, LabelWithAHandleIsRepairedOrRejectedWithItsNumbers)
 {
   const LabelVolume   label = labelOf({ { 61, 61, 21 } }, Vector3::Ones(), [](const Vector3 & p) {
     return std::hypot(std::hypot(p.x(), p.y()) - 20.0, p.z()) - 8.0;
   });
-  ConditioningOptions options;
+  ConditioningOptions options = coarse();
+  const auto          solid = conditionLabel(label, options);
+  expectSpheresAround(solid.levelSet);
+  EXPECT_EQ(solid.report.repair.before.handles(), 1);
+  EXPECT_LT(solid.report.repair.changedFraction(), 0.05);
+  EXPECT_LT(std::abs(solid.report.volumeError), 1e-6);
+  ASSERT_EQ(warningsOf(solid.report).size(), 1u) << "and the smoothing leaves the cut open";
+
+  options.topology = TopologyPolicy::Reject;
   options.labelName = "label 3";
-  EXPECT_EQ(refusalOf(label, options),
-            "label 3: V-E+F = 0, need 2 (genus 0); 1 handle in the largest 6-connected component with its cavities "
-            "filled");
+  EXPECT_EQ(refusalOf(label, options), "label 3: 1 handle, V-E+F = 0, need 2 (genus 0)");
+  EXPECT_NO_THROW((void)conditionLabel(ballLabel({ { 45, 45, 45 } }, Vector3::Ones()), options));
+}
+
+TEST(LabelConditioning, RepairBeyondTheLimitIsRefusedWithItsNumbers)
+{
+  const LabelVolume   label = labelOf({ { 61, 61, 21 } }, Vector3::Ones(), [](const Vector3 & p) {
+    return std::hypot(std::hypot(p.x(), p.y()) - 20.0, p.z()) - 8.0;
+  });
+  ConditioningOptions options = coarse();
+  options.maximumRepair = 0.001;
+  EXPECT_NE(refusalOf(label, options).find("label: 1 handle, V-E+F = 0, need 2 (genus 0); the repair would change"),
+            std::string::npos)
+    << refusalOf(label, options);
+}
+
+namespace
+{
+
+/** Works, or says that the label is too thin. */
+void
+expectSolidOrThin(const LabelVolume & label, const std::string & what)
+{
+  ASSERT_TRUE(voxelTopology(label).isBall()) << what;
+  try
+  {
+    const auto solid = conditionLabel(label);
+    EXPECT_LT(std::abs(solid.report.volumeError), 1e-6) << what;
+    EXPECT_GE(solid.report.dice, 0.8) << what;
+    expectSpheresAround(solid.levelSet);
+  }
+  catch (const InvalidInput & error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::Thin) << what << ": " << error.what();
+    EXPECT_NE(std::string(error.what()).find("too thin"), std::string::npos) << what << ": " << error.what();
+  }
+}
+
+} // namespace
+
+TEST(LabelConditioning, VerySmallAndThinLabelsWorkOrAreRefusedAsThin)
+{
+  const auto box = [](int i, int j, int k, const Vector3 & spacing) {
+    return labelOf({ { i + 4, j + 4, k + 4 } }, spacing, [&](const Vector3 & p) {
+      return (p.cwiseAbs() - 0.5 * spacing.cwiseProduct(Vector3(i, j, k))).maxCoeff();
+    });
+  };
+  for (const Vector3 & spacing : { Vector3(1, 1, 1), Vector3(0.5, 0.5, 3.0) })
+  {
+    const std::string voxel = spacing.z() > 1 ? "thick " : "";
+    expectSolidOrThin(box(1, 1, 1, spacing), voxel + "one voxel");
+    expectSolidOrThin(box(2, 1, 1, spacing), voxel + "two voxels");
+    expectSolidOrThin(box(1, 1, 12, spacing), voxel + "row along k");
+    expectSolidOrThin(box(12, 1, 1, spacing), voxel + "row along i");
+    expectSolidOrThin(box(15, 15, 1, spacing), voxel + "plate");
+    expectSolidOrThin(box(1, 15, 15, spacing), voxel + "plate across i");
+  }
+  LabelVolume neck = box(21, 8, 8, Vector3::Ones());
+  for (std::size_t voxel = 0; voxel < neck.inside.size(); ++voxel)
+  {
+    const int i = static_cast<int>(voxel) % neck.size[0];
+    const int j = static_cast<int>(voxel) / neck.size[0] % neck.size[1];
+    const int k = static_cast<int>(voxel) / (neck.size[0] * neck.size[1]);
+    if (i >= 11 && i < 14 && !(j == 5 && k == 5))
+    {
+      neck.inside[voxel] = 0;
+    }
+  }
+  expectSolidOrThin(neck, "neck of one voxel");
 }
 
 TEST(LabelConditioning, EmptyLabelIsRefused)
@@ -298,6 +373,7 @@ TEST(LabelConditioning, OptionsOutOfRangeAreRefused)
   refuse([](ConditioningOptions & options) { options.smoothing = -0.1; });
   refuse([](ConditioningOptions & options) { options.sliceAnisotropy = 0.5; });
   refuse([](ConditioningOptions & options) { options.minimumDice = 1.5; });
+  refuse([](ConditioningOptions & options) { options.maximumRepair = 1.5; });
 }
 
 TEST(LabelConditioning, CallbackSeesRisingProgressAndCanCancel)
@@ -335,16 +411,18 @@ TEST(WarningsOf, SayWhatWasChangedAndNothingElse)
 {
   EXPECT_TRUE(warningsOf({}).empty());
   ConditioningReport report;
-  report.dropped = { 2, 17 };
-  report.filled = { 1, 5 };
-  report.cutByImageBorder = true;
+  report.repair.labelVoxels = 1000;
+  report.repair.voxelVolume = 1.0;
+  report.repair.changes = { { TopologyChangeKind::ComponentRemoved, 2, 0, 17, Vector3::Zero() },
+                            { TopologyChangeKind::CavityFilled, 1, 0, 5, Vector3::Zero() } };
+  report.borders.touched[5] = true;
   report.nodesCut = 3;
   report.changedVolumeFraction = 0.002;
   const std::vector<std::string> warnings = warningsOf(report);
   ASSERT_EQ(warnings.size(), 4u);
-  EXPECT_NE(warnings[0].find("2, of 17 voxels"), std::string::npos);
-  EXPECT_NE(warnings[1].find("1, of 5 voxels"), std::string::npos);
-  EXPECT_NE(warnings[2].find("border"), std::string::npos);
+  EXPECT_NE(warnings[0].find("2 separate parts left out: 17 voxels"), std::string::npos);
+  EXPECT_NE(warnings[1].find("1 cavity filled: 5 voxels"), std::string::npos);
+  EXPECT_NE(warnings[2].find("(last k)"), std::string::npos);
   EXPECT_NE(warnings[3].find("0.2 % of the volume"), std::string::npos);
 }
 

@@ -85,6 +85,26 @@ public:
   itkSetInputMacro(DensityImage, DensityImageType);
   itkGetInputMacro(DensityImage, DensityImageType);
 
+  /** Whether a label that is not one solid of genus 0 is repaired (default) or refused. */
+  void
+  SetTopologyPolicy(moserhex::TopologyPolicy policy)
+  {
+    if (m_TopologyPolicy != policy)
+    {
+      m_TopologyPolicy = policy;
+      this->Modified();
+    }
+  }
+  moserhex::TopologyPolicy
+  GetTopologyPolicy() const
+  {
+    return m_TopologyPolicy;
+  }
+
+  /** Most that a repair may change, relative to the label [1]. */
+  itkSetMacro(MaximumRepair, double);
+  itkGetConstMacro(MaximumRepair, double);
+
   /** Give out a mesh that is not exact, with a warning, where NotConvergedError would be thrown: the best of the same
    * attempts. Default false. */
   itkOptionMacro(AllowPartial, bool, allowPartial);
@@ -138,7 +158,7 @@ public:
     return m_Result;
   }
 
-  /** What conditioning did to the label. */
+  /** What conditioning did to the label; `repair` in it: to its topology. */
   const moserhex::ConditioningReport &
   GetConditioningReport() const
   {
@@ -152,7 +172,7 @@ public:
     return m_LabelDensity;
   }
 
-  /** Volume of the label, voxels times voxel volume [mm^3]. */
+  /** Volume of the label after its repair, voxels times voxel volume [mm^3]. */
   itkGetConstMacro(LabelVolume, double);
 
 protected:
@@ -203,7 +223,7 @@ private:
   MeshFromBestShells(const moserhex::LevelSet & phi);
 
   void
-  PutDensityOnLabel();
+  PutDensityOnLabel(const moserhex::LabelVolume & label);
 
   /** Smaller is better; after stage J only. */
   static auto
@@ -226,6 +246,8 @@ private:
 
   LabelType                     m_Label{ 1 };
   std::optional<ShellMethod>    m_ShellMethod;
+  moserhex::TopologyPolicy      m_TopologyPolicy{ moserhex::ConditioningOptions{}.topology };
+  double                        m_MaximumRepair{ moserhex::ConditioningOptions{}.maximumRepair };
   moserhex::SolidMeshingOptions m_Options;
   moserhex::SolidMeshingResult  m_Result;
   moserhex::ConditioningReport  m_ConditioningReport;

@@ -98,6 +98,8 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MakeConditioning()
   conditioning->SetInput(label);
   conditioning->SetLabel(m_Label);
   conditioning->SetNodesPerSide(2 * m_Options.shells);
+  conditioning->SetTopologyPolicy(m_TopologyPolicy);
+  conditioning->SetMaximumRepair(m_MaximumRepair);
   return conditioning;
 }
 
@@ -203,17 +205,16 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(const
 
 template <typename TLabelImage, typename TMesh>
 void
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::PutDensityOnLabel()
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::PutDensityOnLabel(const moserhex::LabelVolume & label)
 {
   m_LabelDensity.reset();
   if (this->GetDensityImage())
   {
     m_LabelDensity = RunCoreAlgorithm(
       this,
-      [this](const moserhex::ProgressCallback &) {
-        return moserhex::densityOnLabel(ScalarVolumeFromImage(this->GetDensityImage()),
-                                        LabelVolumeFromImage(this->GetInput(), m_Label),
-                                        this->GetNumberOfWorkUnits());
+      [&](const moserhex::ProgressCallback &) {
+        return moserhex::densityOnLabel(
+          ScalarVolumeFromImage(this->GetDensityImage()), label, this->GetNumberOfWorkUnits());
       },
       afterConditioning,
       afterConditioning);
@@ -231,7 +232,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   m_LabelVolume = conditioning->GetLabelVolume();
 
   const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
-  this->PutDensityOnLabel();
+  this->PutDensityOnLabel(conditioning->GetRepairedLabel());
   const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
   m_Result = mayChangeShells ? this->MeshFromBestShells(phi) : this->MeshFromUsualShells(phi);
 
@@ -258,6 +259,9 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::PrintSelf(std::ostream &
   Superclass::PrintSelf(os, indent);
   os << indent << "Label: " << static_cast<typename NumericTraits<LabelType>::PrintType>(m_Label) << std::endl;
   os << indent << "NumberOfShells: " << m_Options.shells << std::endl;
+  os << indent << "TopologyPolicy: " << (m_TopologyPolicy == moserhex::TopologyPolicy::Repair ? "Repair" : "Reject")
+     << std::endl;
+  os << indent << "MaximumRepair: " << m_MaximumRepair << std::endl;
   os << indent << "LabelVolume: " << m_LabelVolume << std::endl;
   os << indent << "Stages: " << m_Result.stages.size() << std::endl;
 }

@@ -14,17 +14,18 @@ namespace itk
 /** \class LabelConditioningImageFilter
  * \brief One label of a labelmap to the signed distance of a solid ball on an isotropic grid.
  *
- * Largest component, cavities filled, shape interpolated between thick slices, smoothed without a change of topology or
- * volume: moserhex::conditionLabel(), whose documentation has the steps and the guarantees. Output: phi [mm], negative
- * inside, on a grid along the axes of the image.
+ * Topology repaired to one solid of genus 0, shape interpolated between thick slices, smoothed without a change of
+ * topology or volume: moserhex::conditionLabel(), whose documentation has the steps and the guarantees. Output: phi
+ * [mm], negative inside, on a grid along the axes of the image.
  *
  * The size, spacing and origin of the output depend on the pixels of the input. They are known after Update(); before,
  * the largest possible region of the output is empty. So update this filter before filters that ask for the geometry of
  * their input are connected to it.
  *
  * \par Errors
- * InvalidInputError: the label is not in the image (the message lists those that are), is not of genus 0 ("label 3:
- * V-E+F = 0, need 2 (genus 0)"), or is too thin; the image axes are sheared. ProcessAborted. */
+ * InvalidInputError: the label is not in the image (the message lists those that are), is not of genus 0 and to be
+ * rejected ("label 3: 1 handle, V-E+F = 0, need 2 (genus 0)") or more in need of repair than allowed, or is too thin;
+ * the image axes are sheared. ProcessAborted. */
 template <typename TLabelImage, typename TOutputImage = Image<double, 3>>
 class ITK_TEMPLATE_EXPORT LabelConditioningImageFilter : public ImageToImageFilter<TLabelImage, TOutputImage>
 {
@@ -68,8 +69,21 @@ public:
   /** Smallest Dice coefficient with the label's voxels before the label counts as too thin. */
   itkOptionMacro(MinimumDice, double, minimumDice);
 
-  /** After Update(): volume of the label's largest component, cavities filled [mm^3]. */
+  /** Whether a label that is not one solid of genus 0 is repaired (default) or refused. */
+  itkOptionMacro(TopologyPolicy, moserhex::TopologyPolicy, topology);
+
+  /** Most that a repair may change, relative to the label [1]. */
+  itkOptionMacro(MaximumRepair, double, maximumRepair);
+
+  /** After Update(): volume of the label after its repair [mm^3]. */
   itkGetConstMacro(LabelVolume, double);
+
+  /** After Update(): the label after its repair, cut out with a margin of one voxel. */
+  const moserhex::LabelVolume &
+  GetRepairedLabel() const
+  {
+    return m_RepairedLabel;
+  }
 
   /** After Update(): what was changed. */
   const ReportType &
@@ -104,6 +118,7 @@ private:
   LabelType                     m_Label{ NumericTraits<LabelType>::OneValue() };
   moserhex::ConditioningOptions m_Options;
   ReportType                    m_Report;
+  moserhex::LabelVolume         m_RepairedLabel;
   double                        m_LabelVolume{ 0.0 };
 };
 

@@ -6,6 +6,7 @@
 #include "itkLevelSetConversion.h"
 
 #include <sstream>
+#include <utility>
 
 namespace itk
 {
@@ -63,8 +64,8 @@ template <typename TLabelImage, typename TOutputImage>
 void
 LabelConditioningImageFilter<TLabelImage, TOutputImage>::GenerateData()
 {
-  const TLabelImage *              input = this->GetInput();
-  const moserhex::ConditionedSolid solid = RunCoreAlgorithm(this, [&](const moserhex::ProgressCallback & progress) {
+  const TLabelImage *        input = this->GetInput();
+  moserhex::ConditionedSolid solid = RunCoreAlgorithm(this, [&](const moserhex::ProgressCallback & progress) {
     std::ostringstream name;
     name << "label " << static_cast<typename NumericTraits<LabelType>::PrintType>(m_Label);
     moserhex::ConditioningOptions options = m_Options;
@@ -73,6 +74,7 @@ LabelConditioningImageFilter<TLabelImage, TOutputImage>::GenerateData()
     return moserhex::conditionLabel(LabelVolumeFromImage(input, m_Label), options, progress);
   });
   m_Report = solid.report;
+  m_RepairedLabel = std::move(solid.label);
   m_LabelVolume = solid.labelVolume;
 
   const typename TOutputImage::Pointer image = ImageFromLevelSet<TOutputImage>(solid.levelSet);
@@ -90,6 +92,9 @@ LabelConditioningImageFilter<TLabelImage, TOutputImage>::PrintSelf(std::ostream 
   os << indent << "Smoothing: " << m_Options.smoothing << std::endl;
   os << indent << "SliceAnisotropy: " << m_Options.sliceAnisotropy << std::endl;
   os << indent << "MinimumDice: " << m_Options.minimumDice << std::endl;
+  os << indent << "TopologyPolicy: " << (m_Options.topology == moserhex::TopologyPolicy::Repair ? "Repair" : "Reject")
+     << std::endl;
+  os << indent << "MaximumRepair: " << m_Options.maximumRepair << std::endl;
   os << indent << "LabelVolume: " << m_LabelVolume << std::endl;
 }
 

@@ -1,15 +1,23 @@
 #pragma once
 
 #include "moserhex/Common/StepReport.h"
+#include "moserhex/LevelSet/LabelDiagnosis.h"
 #include "moserhex/LevelSet/LabelVolume.h"
 #include "moserhex/LevelSet/LevelSet.h"
-#include "moserhex/LevelSet/VoxelTopology.h"
+#include "moserhex/LevelSet/TopologyRepair.h"
 
 #include <string>
 #include <vector>
 
 namespace moserhex
 {
+
+/** What happens to a label that is not one solid of genus 0. */
+enum class TopologyPolicy
+{
+  Repair, ///< made one by repairTopology()
+  Reject  ///< refused with its numbers
+};
 
 struct ConditioningOptions
 {
@@ -33,6 +41,11 @@ struct ConditioningOptions
   /** Smallest Dice coefficient with the label's voxels: a label that the smoothing cannot hold is refused [1]. */
   double minimumDice{ 0.8 };
 
+  TopologyPolicy topology{ TopologyPolicy::Repair };
+
+  /** Most that a repair may change: voxels added and removed over voxels of the label [1]. */
+  double maximumRepair{ 0.05 };
+
   /** How messages name the label. */
   std::string labelName{ "label" };
 
@@ -43,23 +56,21 @@ struct ConditioningOptions
 /** What was changed on the way from the voxels to the level set. */
 struct ConditioningReport
 {
-  VoxelChange   dropped;                      ///< components other than the largest
-  VoxelChange   filled;                       ///< cavities
-  VoxelTopology labelTopology;                ///< after both: a ball, or the label is refused
-  bool          cutByImageBorder{ false };    ///< the label touches the border of the image and was closed off there
-  int           sliceAxis{ -1 };              ///< axis interpolated by shape; -1: the voxels are (nearly) isotropic
-  double        sigma{ 0.0 };                 ///< of the Gaussian [mm]
-  long          eulerBefore{ 2 };             ///< V - E + F of the surface without topology protection
-  std::size_t   nodesCut{ 0 };                ///< grid nodes that went outside to protect the topology
-  std::size_t   nodesFilled{ 0 };             ///< grid nodes that went inside
-  double        changedVolumeFraction{ 0.0 }; ///< (cut + filled) h^3 / V [1]
-  double        volumeError{ 0.0 };           ///< (volume of phi < 0 - V) / V, exact for the piecewise linear phi [1]
-  double        dice{ 0.0 };                  ///< of the label's voxels and the voxels whose centre has phi < 0 [1]
-  double        seconds{ 0.0 };               ///< wall time
+  TopologyRepairReport repair;           ///< what was done to the label's voxels; no changes: it was a ball
+  ImageBorders         borders;          ///< borders of the image where the label was closed off
+  int                  sliceAxis{ -1 };  ///< axis interpolated by shape; -1: the voxels are (nearly) isotropic
+  double               sigma{ 0.0 };     ///< of the Gaussian [mm]
+  long                 eulerBefore{ 2 }; ///< V - E + F of the surface without topology protection
+  std::size_t          nodesCut{ 0 };    ///< grid nodes that went outside to protect the topology
+  std::size_t          nodesFilled{ 0 }; ///< grid nodes that went inside
+  double               changedVolumeFraction{ 0.0 }; ///< (cut + filled) h^3 / V [1]
+  double               volumeError{ 0.0 }; ///< (volume of phi < 0 - V) / V, exact for the piecewise linear phi [1]
+  double               dice{ 0.0 };        ///< of the label's voxels and the voxels whose centre has phi < 0 [1]
+  double               seconds{ 0.0 };     ///< wall time
 };
 
-/** What of it a user should be told, one line each: parts left out, cavities filled, a mask closed off at the border of
- * the image, nodes changed to protect the topology. Empty when the label was taken as it is. */
+/** What of it a user should be told, one line each: the repair of the topology, a mask closed off at the border of the
+ * image, nodes changed to protect the topology. Empty when the label was taken as it is. */
 [[nodiscard]] std::vector<std::string>
 warningsOf(const ConditioningReport & report);
 
@@ -75,8 +86,9 @@ describeSmoothing(const ConditioningReport & smoother, const ConditioningReport 
 
 struct ConditionedSolid
 {
-  LevelSet           levelSet;           ///< phi [mm], < 0 inside
-  double             labelVolume{ 0.0 }; ///< V: volume of the voxels of the largest component, cavities filled [mm^3]
+  LevelSet           levelSet; ///< phi [mm], < 0 inside
+  LabelVolume        label;    ///< the voxels that phi was made from: a ball, cut out with a margin of one voxel
+  double             labelVolume{ 0.0 }; ///< V: volume of these voxels [mm^3]
   ConditioningReport report;
 };
 
@@ -94,7 +106,8 @@ automaticSpacing(double volume, double faceArea, int nodesPerSide);
 /** Turns a label of any (anisotropic, oblique, cut off) image into a solid ball on an isotropic grid along the image
  * axes.
  *
- * 1. Largest 6-connected component; cavities filled; anything but a ball is refused (VoxelTopology.h).
+ * 1. A label that is not one solid of genus 0 is repaired (TopologyRepair.h) or refused. Cuts and bridges reach as far
+ *    as the Gaussian of step 3 needs.
  * 2. Signed distance: three-dimensional, or, when one voxel side is long, per slice: saturated q -> c tanh(q / c),
  *    c = three slices, so that no slice overrules its neighbours; Catmull-Rom across slices; the empty slice next
  *    to the label mirrors its last slice, |q|, which puts the cap half a slice out, wherever the image ends.
@@ -106,8 +119,9 @@ automaticSpacing(double volume, double faceArea, int nodesPerSide);
  * Guarantees: {phi < c} is a ball and the level set c one sphere for |c| <= h/4; |grad phi| = 1 near 0 up to O(h);
  * volume of {phi < 0} = V within 1e-6. The same answer for every origin and direction. Deterministic.
  *
- * \throws InvalidInput  empty or invalid label; not a ball ("label 3: V-E+F = 0, need 2 (genus 0)"); thinner than the
- *         smoothing can hold; options out of range
+ * \throws InvalidInput  empty or invalid label; not a ball ("label 3: 1 handle, V-E+F = 0, need 2 (genus 0)") and to be
+ *         rejected, or a repair that changes too much (ErrorCode::Topology); thinner than the smoothing can hold
+ *         (ErrorCode::Thin); options out of range
  * \throws Cancelled     by the callback */
 [[nodiscard]] ConditionedSolid
 conditionLabel(const LabelVolume &         label,
