@@ -57,7 +57,7 @@ isTokenByte(char c)
 std::string
 Mutator::mutant(std::string bytes)
 {
-  for (std::size_t changes = 1 + below(4); changes > 0; --changes)
+  for (std::size_t changes = below(2) == 0 ? 1 : 1 + below(4); changes > 0; --changes)
   {
     change(bytes);
   }
@@ -81,7 +81,7 @@ void
 Mutator::change(std::string & bytes)
 {
   const std::size_t at = place(bytes);
-  switch (bytes.empty() ? 4 : below(10))
+  switch (bytes.empty() ? 4 : below(11))
   {
     case 0:
       bytes[at] = static_cast<char>(static_cast<unsigned char>(bytes[at]) ^ (1U << below(8)));
@@ -108,6 +108,9 @@ Mutator::change(std::string & bytes)
     case 8:
       changeLine(bytes);
       break;
+    case 9:
+      changeDigit(bytes);
+      break;
     default:
       replaceBinary(bytes);
   }
@@ -131,6 +134,16 @@ Mutator::replaceToken(std::string & bytes)
     ++end;
   }
   bytes.replace(begin, end - begin, extremeWords[below(extremeWords.size())]);
+}
+
+void
+Mutator::changeDigit(std::string & bytes)
+{
+  const std::size_t at = bytes.find_first_of("0123456789", place(bytes));
+  if (at != std::string::npos)
+  {
+    bytes[at] = static_cast<char>('0' + below(10));
+  }
 }
 
 void

@@ -8,15 +8,15 @@ namespace moserhex::fuzz
 {
 
 /** Changes bytes as damage and malice do: bits flipped, bytes set, parts deleted, repeated or exchanged, the end cut
- * off, numbers and words replaced by extreme ones, lines repeated or dropped. Half of the places are in the first 600
- * bytes, where headers are. The same seed makes the same mutants. */
+ * off, numbers and words replaced by extreme ones, digits by others, lines repeated or dropped. Half of the places are
+ * in the first 600 bytes, where headers are. The same seed makes the same mutants. */
 class Mutator
 {
 public:
   explicit Mutator(std::uint64_t seed) : m_Random(seed)
   {}
 
-  /** One to four changes. */
+  /** One change to four, mostly one. */
   [[nodiscard]] std::string
   mutant(std::string bytes);
 
@@ -33,6 +33,9 @@ private:
 
   void
   replaceToken(std::string & bytes);
+
+  void
+  changeDigit(std::string & bytes);
 
   void
   replaceBinary(std::string & bytes);

@@ -16,7 +16,9 @@ namespace moserhex
 namespace
 {
 
-constexpr double      farthest = 1e6;             // [mm]
+constexpr double      farthest = 1e6;      // [mm]
+constexpr double      smallestUsual = 1.0; // longest side of the box [mm]
+constexpr double      largestUsual = 1000.0;
 constexpr double      mostOverlap = 0.05;         // of the volume covered
 constexpr int         mostParts = 100;            // looked at
 constexpr std::size_t mostIntersections = 100000; // looked at
@@ -50,6 +52,7 @@ public:
     requireClosed();
     orient();
     requireVolume();
+    warnOfSize();
     m_Intersections = findSelfIntersections(m_File.mesh, mostIntersections);
     requireOneSolid();
     turnOutwards();
@@ -152,6 +155,19 @@ private:
     if (!(std::abs(m_Volume) > smallestVolumeOfBox * (box.upper - box.lower).prod()))
     {
       refuse(ErrorCode::SurfaceDegenerate, "the surface encloses no volume", "give a closed surface of a solid");
+    }
+  }
+
+  void
+  warnOfSize()
+  {
+    const BoundingBox box = boundingBox(m_File.mesh.vertices);
+    const double      longest = (box.upper - box.lower).maxCoeff();
+    if (longest < smallestUsual || longest > largestUsual)
+    {
+      char text[80];
+      std::snprintf(text, sizeof text, "the surface is %.3g mm long: are its coordinates millimetres?", longest);
+      warn(text);
     }
   }
 

@@ -186,6 +186,12 @@ TEST(SurfaceCheck, FarVertexIsRefusedOnlyWhenUsed)
   EXPECT_EQ(codeOf(mesh), ErrorCode::Geometry);
 }
 
+TEST(SurfaceCheck, SizeOfMetresOrMicrometresIsDoubted)
+{
+  EXPECT_EQ(warningsOf(icosphere(1, 0.025)), "the surface is 0.05 mm long: are its coordinates millimetres?\n");
+  EXPECT_EQ(warningsOf(icosphere(1, 2.5e4)), "the surface is 5e+04 mm long: are its coordinates millimetres?\n");
+}
+
 TEST(SurfaceCheck, SelfIntersectionWithoutACompactSolidIsRefused)
 {
   // Two crossing needles: no grid of voxels resolves them.

@@ -12,6 +12,7 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPLYWriter.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
@@ -217,6 +218,40 @@ TEST(SurfaceReader, RasFileIsTurnedIntoLps)
   const TriangleMesh read = readSurface(folder / "a.vtp").mesh;
   EXPECT_LT((centreOf(read) - expected).norm(), 1e-4);
   EXPECT_GT(enclosedVolume(read), 0.0);
+}
+
+TEST(SurfaceReader, EveryVersionOfLegacyVtkWithAttributesIsRead)
+{
+  const TestFolder       folder;
+  const TriangleMesh     mesh = shiftedEllipsoid();
+  const auto             data = polyDataOf(mesh);
+  vtkNew<vtkStringArray> space;
+  space->SetName("SPACE");
+  space->InsertNextValue("RAS");
+  vtkNew<vtkStringArray> remark;
+  remark->SetName("a remark");
+  remark->InsertNextValue(std::string(100, 'x')); // its length takes two bytes
+  remark->InsertNextValue("two words");
+  data->GetFieldData()->AddArray(space);
+  data->GetFieldData()->AddArray(remark);
+  data->GetPointData()->SetNormals(data->GetPoints()->GetData());
+  const Vector3 expected = centreOf(mesh).cwiseProduct(Vector3(-1, -1, 1));
+  for (const int version : { 42, 51 })
+  {
+    for (const int encoding : { VTK_ASCII, VTK_BINARY })
+    {
+      vtkNew<vtkPolyDataWriter> writer;
+      writer->SetFileName((folder / "a.vtk").c_str());
+      writer->SetInputData(data);
+      writer->SetFileVersion(version);
+      writer->SetFileType(encoding);
+      writer->Write();
+      const SurfaceFile read = readSurface(folder / "a.vtk");
+      EXPECT_EQ(read.mesh.triangles.size(), mesh.triangles.size()) << version << ' ' << encoding;
+      EXPECT_LT((centreOf(read.mesh) - expected).norm(), 1e-4) << version << ' ' << encoding;
+      EXPECT_TRUE(read.warnings.empty());
+    }
+  }
 }
 
 TEST(SurfaceReader, RepairsAreWarnings)
