@@ -37,8 +37,8 @@ describeConditioning(const ConditioningReport & conditioning)
   record.cavities = repair.before.cavities;
   record.handles = repair.before.handles();
   record.changes = repair.changes;
-  record.voxelsAdded = repair.voxelsAdded();
-  record.voxelsRemoved = repair.voxelsRemoved();
+  record.voxelsAdded = repair.voxelsAdded;
+  record.voxelsRemoved = repair.voxelsRemoved;
   record.voxelVolume = repair.voxelVolume;
   record.changedPercent = 100.0 * repair.changedFraction();
   record.sigma = conditioning.sigma;

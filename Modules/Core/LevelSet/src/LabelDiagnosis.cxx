@@ -91,10 +91,16 @@ nonManifoldVertices(const LabelVolume & padded)
 
 } // namespace
 
+int
+ImageBorders::count() const
+{
+  return static_cast<int>(std::count(touched.begin(), touched.end(), true));
+}
+
 bool
 ImageBorders::any() const
 {
-  return std::any_of(touched.begin(), touched.end(), [](bool border) { return border; });
+  return count() > 0;
 }
 
 std::string

@@ -22,27 +22,6 @@ constexpr std::array<TopologyChangeKind, 5> allKinds{ { TopologyChangeKind::Comp
                                                         TopologyChangeKind::HandleCut,
                                                         TopologyChangeKind::TunnelFilled } };
 
-/** What was done, for one and for many: "1 handle cut". */
-std::string
-nameOf(TopologyChangeKind kind, std::size_t count)
-{
-  const bool one = count == 1;
-  switch (kind)
-  {
-    case TopologyChangeKind::ComponentRemoved:
-      return one ? "separate part left out" : "separate parts left out";
-    case TopologyChangeKind::ComponentsJoined:
-      return one ? "separate part joined to the rest" : "separate parts joined to the rest";
-    case TopologyChangeKind::CavityFilled:
-      return one ? "cavity filled" : "cavities filled";
-    case TopologyChangeKind::HandleCut:
-      return one ? "handle cut" : "handles cut";
-    case TopologyChangeKind::TunnelFilled:
-      return one ? "tunnel filled" : "tunnels filled";
-  }
-  return {};
-}
-
 bool
 countsHandles(TopologyChangeKind kind)
 {
@@ -253,6 +232,26 @@ describe(const TopologyRepairReport & report, TopologyChangeKind kind)
 }
 
 } // namespace
+
+std::string
+nameOf(TopologyChangeKind kind, std::size_t count)
+{
+  const bool one = count == 1;
+  switch (kind)
+  {
+    case TopologyChangeKind::ComponentRemoved:
+      return one ? "separate part left out" : "separate parts left out";
+    case TopologyChangeKind::ComponentsJoined:
+      return one ? "separate part joined to the rest" : "separate parts joined to the rest";
+    case TopologyChangeKind::CavityFilled:
+      return one ? "cavity filled" : "cavities filled";
+    case TopologyChangeKind::HandleCut:
+      return one ? "handle cut" : "handles cut";
+    case TopologyChangeKind::TunnelFilled:
+      return one ? "tunnel filled" : "tunnels filled";
+  }
+  return {};
+}
 
 double
 TopologyRepairReport::changedFraction() const

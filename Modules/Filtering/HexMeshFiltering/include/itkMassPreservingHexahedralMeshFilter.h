@@ -202,25 +202,22 @@ private:
            const moserhex::LevelSet &    phi,
            moserhex::MeshingStageReport  orderingStage);
 
-  typename ConditioningFilterType::Pointer
-  MakeConditioning();
-
-  /** The label conditioned with more smoothing, for shapes whose details are narrower than the cells; nothing where
-   * that loses more than largestLossOfDice. */
+  /** The repaired label conditioned with more smoothing, for shapes whose details are narrower than the cells; nothing
+   * where that loses more than largestLossOfDice. */
   std::optional<moserhex::LevelSet>
-  SmootherSolid();
+  SmootherSolid(const moserhex::LabelVolume & label);
 
   moserhex::SolidMeshingOptions
-  OptionsWithSmootherSolid();
+  OptionsWithSmootherSolid(const moserhex::LabelVolume & label); // keeps a reference to the label
 
   /** With the shells of GetShellMethod(), those of the fast way from a coarse grid. */
   moserhex::SolidMeshingResult
-  MeshFromUsualShells(const moserhex::LevelSet & phi);
+  MeshFromUsualShells(const moserhex::SolidMeshingOptions & options, const moserhex::LevelSet & phi);
 
   /** The same, and with Chan-Vese shells when that does not lead to an exact mesh. AllowPartial changes no attempt, so
    * it never takes an exact mesh away; of meshes that are not exact the better one is kept. */
   moserhex::SolidMeshingResult
-  MeshFromBestShells(const moserhex::LevelSet & phi);
+  MeshFromBestShells(const moserhex::SolidMeshingOptions & options, const moserhex::LevelSet & phi);
 
   void
   PutDensityOnLabel(const moserhex::LabelVolume & label);

@@ -88,63 +88,53 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(moserhex::Solid
 }
 
 template <typename TLabelImage, typename TMesh>
-typename MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::ConditioningFilterType::Pointer
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MakeConditioning()
-{
-  // The stages work on a graft of the input, so that their requests do not travel up this filter's own pipeline.
-  typename TLabelImage::Pointer label = TLabelImage::New();
-  label->Graft(this->GetInput());
-  typename ConditioningFilterType::Pointer conditioning = ConditioningFilterType::New();
-  conditioning->SetInput(label);
-  conditioning->SetLabel(m_Label);
-  conditioning->SetNodesPerSide(2 * m_Options.shells);
-  conditioning->SetTopologyPolicy(m_TopologyPolicy);
-  conditioning->SetMaximumRepair(m_MaximumRepair);
-  return conditioning;
-}
-
-template <typename TLabelImage, typename TMesh>
 std::optional<moserhex::LevelSet>
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::SmootherSolid()
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::SmootherSolid(const moserhex::LabelVolume & label)
 {
-  const typename ConditioningFilterType::Pointer conditioning = this->MakeConditioning();
-  conditioning->SetMinimumSigma(moserhex::smootherSigma(m_ConditioningReport, m_LabelVolume, 2 * m_Options.shells));
+  moserhex::ConditioningOptions options;
+  options.nodesPerSide = 2 * m_Options.shells;
+  options.minimumSigma = moserhex::smootherSigma(m_ConditioningReport, m_LabelVolume, options.nodesPerSide);
+  options.threads = this->GetNumberOfWorkUnits();
   try
   {
-    this->RunStage(conditioning.GetPointer(), afterOrdering, afterOrdering);
+    moserhex::ConditionedSolid smoother = moserhex::conditionLabel(label, options);
+    m_SmootherReport = smoother.report;
+    m_SmootherReport->repair = m_ConditioningReport.repair;
+    m_SmootherReport->borders = m_ConditioningReport.borders;
+    if (m_SmootherReport->dice < m_ConditioningReport.dice - largestLossOfDice)
+    {
+      return std::nullopt;
+    }
+    return std::move(smoother.levelSet);
   }
-  catch (const InvalidInputError &)
+  catch (const moserhex::InvalidInput &)
   {
     return std::nullopt; // too thin to be smoothed more
   }
-  m_SmootherReport = conditioning->GetReport();
-  if (m_SmootherReport->dice < m_ConditioningReport.dice - largestLossOfDice)
-  {
-    return std::nullopt;
-  }
-  return LevelSetFromImage(conditioning->GetOutput());
 }
 
 template <typename TLabelImage, typename TMesh>
 moserhex::SolidMeshingOptions
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsWithSmootherSolid()
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsWithSmootherSolid(const moserhex::LabelVolume & label)
 {
   moserhex::SolidMeshingOptions options = m_Options;
   if (!options.smootherSolid)
   {
-    options.smootherSolid = [this] { return this->SmootherSolid(); };
+    options.smootherSolid = [this, &label] { return this->SmootherSolid(label); };
   }
   return options;
 }
 
 template <typename TLabelImage, typename TMesh>
 moserhex::SolidMeshingResult
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromUsualShells(const moserhex::LevelSet & phi)
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromUsualShells(
+  const moserhex::SolidMeshingOptions & options,
+  const moserhex::LevelSet &            phi)
 {
   moserhex::MeshingStageReport orderingStage{ "shell ordering", 0.0, {}, {} };
   if (moserhex::shellsToExtract(m_Options) == m_Options.shells)
   {
-    return this->MeshFrom(this->OptionsWithSmootherSolid(), this->GetShellMethod(), phi, phi, orderingStage);
+    return this->MeshFrom(options, this->GetShellMethod(), phi, phi, orderingStage);
   }
   const moserhex::Stopwatch   stopwatch;
   const moserhex::CoarseSolid coarse = RunCoreAlgorithm(
@@ -154,18 +144,20 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromUsualShells(cons
     afterConditioning);
   orderingStage.seconds = stopwatch.seconds();
   orderingStage.note = moserhex::describe(coarse);
-  return this->MeshFrom(this->OptionsWithSmootherSolid(), this->GetShellMethod(), coarse.levelSet, phi, orderingStage);
+  return this->MeshFrom(options, this->GetShellMethod(), coarse.levelSet, phi, orderingStage);
 }
 
 template <typename TLabelImage, typename TMesh>
 moserhex::SolidMeshingResult
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(const moserhex::LevelSet & phi)
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(
+  const moserhex::SolidMeshingOptions & options,
+  const moserhex::LevelSet &            phi)
 {
   std::optional<moserhex::SolidMeshingResult> usual;
   std::string                                 reason;
   try
   {
-    usual = this->MeshFromUsualShells(phi);
+    usual = this->MeshFromUsualShells(options, phi);
     if (!usual->equalisation || usual->equalisation->exact)
     {
       return std::move(*usual);
@@ -225,16 +217,26 @@ template <typename TLabelImage, typename TMesh>
 void
 MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
 {
-  m_SmootherReport.reset();
-  const typename ConditioningFilterType::Pointer conditioning = this->MakeConditioning();
+  // The stages work on a graft of the input, so that their requests do not travel up this filter's own pipeline.
+  typename TLabelImage::Pointer label = TLabelImage::New();
+  label->Graft(this->GetInput());
+
+  typename ConditioningFilterType::Pointer conditioning = ConditioningFilterType::New();
+  conditioning->SetInput(label);
+  conditioning->SetLabel(m_Label);
+  conditioning->SetNodesPerSide(2 * m_Options.shells);
+  conditioning->SetTopologyPolicy(m_TopologyPolicy);
+  conditioning->SetMaximumRepair(m_MaximumRepair);
   const double conditioningSeconds = this->RunStage(conditioning.GetPointer(), 0.0, afterConditioning);
   m_ConditioningReport = conditioning->GetReport();
   m_LabelVolume = conditioning->GetLabelVolume();
 
   const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
   this->PutDensityOnLabel(conditioning->GetRepairedLabel());
+  m_SmootherReport.reset();
+  const moserhex::SolidMeshingOptions options = this->OptionsWithSmootherSolid(conditioning->GetRepairedLabel());
   const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
-  m_Result = mayChangeShells ? this->MeshFromBestShells(phi) : this->MeshFromUsualShells(phi);
+  m_Result = mayChangeShells ? this->MeshFromBestShells(options, phi) : this->MeshFromUsualShells(options, phi);
 
   moserhex::MeshingStageReport conditioningStage{ "conditioning", conditioningSeconds, {}, {} };
   if (m_Result.smootherSolid)

@@ -20,8 +20,8 @@ repairJson(const LabelCheck::Repair & repair)
     return json;
   }
   json["changed_percent"] = 100.0 * repair.report.changedFraction();
-  json["voxels_added"] = repair.report.voxelsAdded();
-  json["voxels_removed"] = repair.report.voxelsRemoved();
+  json["voxels_added"] = repair.report.voxelsAdded;
+  json["voxels_removed"] = repair.report.voxelsRemoved;
   json["changes"] = changesJson(repair.report.changes, repair.report.voxelVolume);
   return json;
 }

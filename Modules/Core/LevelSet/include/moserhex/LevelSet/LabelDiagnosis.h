@@ -17,6 +17,9 @@ struct ImageBorders
 {
   std::array<bool, 6> touched{};
 
+  [[nodiscard]] int
+  count() const;
+
   [[nodiscard]] bool
   any() const;
 

@@ -33,6 +33,10 @@ enum class TopologyChangeKind
   TunnelFilled
 };
 
+/** What was done, for one and for many: "handle cut", "handles cut". */
+[[nodiscard]] std::string
+nameOf(TopologyChangeKind kind, std::size_t count = 1);
+
 /** One connected patch of voxels that changed. */
 struct TopologyChange
 {

@@ -17,9 +17,9 @@ struct LabelValues : VoxelGrid
 
 /** The label that most of each cell lies in.
  *
- * Every cell is sampled at 3 x 3 x 3 points, the middles of equal parts of the reference cube; each counts for the label
- * of the nearest voxel. The commonest label other than 0 wins, of equally common ones the smallest; 0 when no point lies
- * in a label.
+ * Every cell is sampled at 3 x 3 x 3 points, the middles of equal parts of the reference cube; each counts for the
+ * label of the nearest voxel. The commonest label other than 0 wins, of equally common ones the smallest; 0 when no
+ * point lies in a label.
  *
  * \param threads  as in parallelFor; the result does not depend on it
  * \return         (n-1)^3 labels in the order of the cells
