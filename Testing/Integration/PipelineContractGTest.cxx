@@ -78,9 +78,9 @@ badness(const Pipeline & pipeline)
   return std::make_tuple(result.concaveCells, result.uncertifiedCells, result.largestDistance);
 }
 
-/** A ball with a tunnel along z. */
+/** A ball with a tunnel of that radius along z [voxels]. */
 ShortImage::Pointer
-torusImage()
+ballWithTunnel(double radius)
 {
   LabelVolume label = analytic::labelVolume(analytic::ball(12.0));
   for (int k = 0; k < label.size[2]; ++k)
@@ -91,11 +91,9 @@ torusImage()
       {
         const double x = i - 0.5 * (label.size[0] - 1);
         const double y = j - 0.5 * (label.size[1] - 1);
-        if (x * x + y * y < 16.0)
+        if (x * x + y * y < radius * radius)
         {
-          label
-            .inside[i + static_cast<std::size_t>(label.size[0]) * (j + static_cast<std::size_t>(label.size[1]) * k)] =
-            0;
+          label.inside[label.voxelNumber(i, j, k)] = 0;
         }
       }
     }
@@ -175,18 +173,38 @@ TEST(PipelineContract, EveryShellMethodGivesAMesh)
   }
 }
 
-TEST(PipelineContract, ATorusIsRefusedWithItsNumbers)
+TEST(PipelineContract, ATunnelIsRejectedWithItsNumbersWhenToldSo)
 {
+  auto       pipeline = Pipeline::New();
+  const auto image = ballWithTunnel(4.0);
+  pipeline->SetInput(image);
+  pipeline->SetMeshingOptions(unrepaired(0.5, false));
+  EXPECT_EQ(pipeline->GetTopologyPolicy(), TopologyPolicy::Repair);
+  pipeline->SetTopologyPolicy(TopologyPolicy::Reject);
   try
   {
-    (void)runPipeline(torusImage(), small());
-    FAIL() << "a torus was accepted";
+    pipeline->Update();
+    FAIL() << "a tunnel was accepted";
   }
   catch (const itk::InvalidInputError & error)
   {
-    EXPECT_NE(std::string(error.GetDescription()).find("V-E+F = 0, need 2"), std::string::npos)
+    EXPECT_NE(std::string(error.GetDescription()).find("1 handle, V-E+F = 0, need 2"), std::string::npos)
       << error.GetDescription();
   }
+  pipeline->SetTopologyPolicy(TopologyPolicy::Repair);
+  pipeline->SetMaximumRepair(0.001);
+  EXPECT_EQ(pipeline->GetMaximumRepair(), 0.001);
+  EXPECT_THROW(pipeline->Update(), itk::InvalidInputError);
+}
+
+TEST(PipelineContract, ATunnelIsRepairedAndReported)
+{
+  const auto   pipeline = runPipeline(ballWithTunnel(0.8), small());
+  const auto & repair = pipeline->GetConditioningReport().repair;
+  ASSERT_EQ(repair.changes.size(), 1u);
+  EXPECT_EQ(repair.changes[0].kind, TopologyChangeKind::TunnelFilled);
+  EXPECT_EQ(repair.before.handles(), 1);
+  EXPECT_EQ(pipeline->GetResult().warnings.front().find("1 tunnel filled: "), 0u);
 }
 
 TEST(PipelineContract, AnAbsentLabelIsRefused)

@@ -24,7 +24,7 @@ constexpr double marginInNodes = 5.0;
 constexpr double smallestSigmaInNodes = 0.7;
 constexpr double largestSigmaOfThinLabels = 0.15; ///< of V^(1/3)
 constexpr double repairRadiusInSigmas = 2.5;      ///< a cylinder of 1.25 sigma vanishes
-constexpr double repairRadiusInVoxels = 1.05;     ///< at least, of the shortest side
+constexpr double repairRadiusInVoxels = 1.5;      ///< at least, of the shortest side
 constexpr double sphericalBand = 0.5;             ///< around the zero level, in spacings
 
 void

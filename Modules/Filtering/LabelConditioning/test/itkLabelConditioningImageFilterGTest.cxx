@@ -116,9 +116,29 @@ TEST(LabelConditioningImageFilter, NewOptionsGiveANewGrid)
   EXPECT_EQ(filter->GetOutput()->GetBufferedRegion(), filter->GetOutput()->GetLargestPossibleRegion());
 }
 
-TEST(LabelConditioningImageFilter, LabelWithAHandleIsRefusedWithItsNumbers)
+TEST(LabelConditioningImageFilter, LabelWithAHandleIsRejectedWithItsNumbersWhenToldSo)
 {
-  EXPECT_EQ(messageOf(filterFor(4)).substr(0, 37), "label 4: V-E+F = 0, need 2 (genus 0);");
+  const auto filter = filterFor(4);
+  EXPECT_EQ(filter->GetTopologyPolicy(), moserhex::TopologyPolicy::Repair);
+  filter->SetTopologyPolicy(moserhex::TopologyPolicy::Reject);
+  EXPECT_EQ(messageOf(filter), "label 4: 1 handle, V-E+F = 0, need 2 (genus 0)");
+}
+
+TEST(LabelConditioningImageFilter, RepairIsReportedAndNotMoreThanAllowed)
+{
+  const auto image = labelImage();
+  image->SetPixel({ { 18, 20, 8 } }, 0); // a cavity
+  const auto filter = filterFor(3);
+  filter->SetInput(image);
+  filter->Update();
+  ASSERT_EQ(filter->GetReport().repair.changes.size(), 1u);
+  EXPECT_EQ(filter->GetReport().repair.changes[0].kind, moserhex::TopologyChangeKind::CavityFilled);
+  EXPECT_LT((filter->GetReport().repair.changes[0].centre - moserhex::Vector3(-12, 25, 124)).norm(), 1e-9);
+  EXPECT_EQ(static_cast<double>(moserhex::voxelCount(filter->GetRepairedLabel())) * 3.0, filter->GetLabelVolume());
+  filter->SetMaximumRepair(0.0);
+  EXPECT_EQ(filter->GetMaximumRepair(), 0.0);
+  EXPECT_EQ(messageOf(filter).substr(0, 72),
+            "label 3: 1 cavity, V-E+F = 4, need 2 (genus 0); the repair would change ");
 }
 
 TEST(LabelConditioningImageFilter, AbsentLabelIsRefusedWithTheLabelsPresent)

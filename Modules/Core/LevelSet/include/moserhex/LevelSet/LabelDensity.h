@@ -35,7 +35,8 @@ meanDensity(const LabelVolume & label,
 
 /** Puts a density image onto a label. The grids may differ in every respect: all is done by position.
  *
- * 1. The label's largest component with its cavities filled is what counts, as in conditionLabel.
+ * 1. The label's largest component with its cavities filled is what counts. What conditionLabel repaired is in
+ *    ConditionedSolid::label: voxels that a repair added need a density too.
  * 2. Every voxel of it must lie in the image: its box, half a voxel beyond the outer voxel centres.
  * 3. Every density voxel that overlaps the label must be positive and finite. One overlaps when its centre lies in a
  *    voxel of the label, or it holds one of the points of meanDensity; on a common grid these are the label's voxels.
