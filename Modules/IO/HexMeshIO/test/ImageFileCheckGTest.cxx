@@ -592,11 +592,13 @@ TEST(DeliveredVoxels, FileThatChangesAfterItsCheckIsTheReadersFailure)
   changed.back() = '\1';
   writeBytes(folder / "a.nrrd", changed);
   std::string buffer(60, '\0');
-  readByItk(image, buffer.data());
+  readByItk(image, image.fileName, buffer.data());
   EXPECT_EQ(errorOf([&] { requireDelivered(image, buffer.data()); }).substr(0, 8), "E_READER");
   writeBytes(folder / "a.nrrd", ImageText::nrrd().with("sizes", "4 5 3").file());
-  EXPECT_EQ(errorOf([&] { readByItk(image, buffer.data()); }).substr(0, 8), "E_READER");
+  EXPECT_EQ(errorOf([&] { readByItk(image, image.fileName, buffer.data()); }).substr(0, 8), "E_READER");
   writeBytes(folder / "a.nrrd", "gone");
-  EXPECT_EQ(errorOf([&] { withImageErrors(image.fileName, [&] { readByItk(image, buffer.data()); }); }).substr(0, 8),
+  EXPECT_EQ(errorOf([&] {
+              withImageErrors(image.fileName, [&] { readByItk(image, image.fileName, buffer.data()); });
+            }).substr(0, 8),
             "E_READER");
 }

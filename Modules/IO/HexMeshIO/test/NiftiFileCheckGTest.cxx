@@ -12,6 +12,7 @@
 #include <itk_zlib.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 using namespace moserhex;
@@ -271,6 +272,30 @@ TEST(NiftiCheck, CompressionIsToldFromTheContent)
   }
 }
 
+TEST(NiftiCheck, VoxelsComeFromTheFileThatIsNamed)
+{
+  // The NIfTI library would take those of a.nii.
+  const TestFolder folder;
+  writeBytes(folder / "a.nii", NiftiText().header() + std::string(60, '\7'));
+  writeBytes(folder / "a.nii.gz", gzipOf(NiftiText().file()));
+  expectTestVoxels(readHere(folder / "a.nii.gz"));
+}
+
+TEST(NiftiCheck, NoLinkIsLeftBehind)
+{
+  const TestFolder  folder;
+  const TestFolder  temporary;
+  const char *      before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  ::setenv("TMPDIR", (temporary / "").c_str(), 1);
+  writeBytes(folder / "a.nii", NiftiText().file());
+  expectTestVoxels(readLabelImage(folder / "a.nii"));
+  EXPECT_EQ(temporary.fileCount(), 0u);
+  ::setenv("TMPDIR", (temporary / "missing").c_str(), 1);
+  EXPECT_EQ(errorOf([&] { (void)readLabelImage(folder / "a.nii"); }).substr(0, 4), "E_IO");
+  before ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
+}
+
 TEST(NiftiCheck, StreamThatGoesOnIsNotDecodedToItsEnd)
 {
   const TestFolder folder;
@@ -315,9 +340,12 @@ TEST(NiftiCheck, QformAloneGivesThePlace)
   text.set<std::int16_t>(254, 0).setQform(1.0F, -1.0F);
   const VoxelGrid grid = described(folder, text).grid;
   EXPECT_LT((grid.point(1, 1, 1) - Vector3(1.5, 2.75, 5.0)).norm(), 1e-6);
-  // A float's rounding makes 1 - |v|^2 about 1e-8: half a turn all the same, not 1e-4 rad beside it.
-  const VoxelGrid rounded = described(folder, text.set<float>(264, 0.99999999F - 6e-8F)).grid;
-  EXPECT_TRUE(rounded.direction.isApprox(grid.direction, 1e-12));
+  // A real file's: 1 - |v|^2 is 4e-8, a float's rounding. Half a turn all the same (symmetric), not 2e-4 rad beside it.
+  NiftiText rounded;
+  rounded.set<std::int16_t>(254, 0).setQform(0.99848908F, -1.0F).set<float>(260, -0.05495018F);
+  Matrix3 rotation = described(folder, rounded).grid.direction;
+  rotation.topRows(2) *= -1.0; // RAS
+  EXPECT_LT((rotation - rotation.transpose()).norm(), 1e-12);
   // qfac: the third axis backwards.
   EXPECT_LT(described(folder, text.set<float>(76, -1.0F)).grid.direction.determinant(), 0.0);
   EXPECT_NE(errorOfText(folder, text.set<float>(256, 1.2F)).find("not a rotation"), std::string::npos);
