@@ -1,8 +1,6 @@
 #include "ImageFile.h"
 
-#include "FileNames.h"
 #include "ImageFileCheck.h"
-#include "ImageHeader.h"
 #include "ReaderSandbox.h"
 
 #include <itkMetaImageIO.h>
@@ -12,17 +10,11 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
-#include <optional>
-
-#include <stdlib.h>
 
 namespace moserhex
 {
 namespace
 {
-
-namespace fs = std::filesystem;
 
 itk::ImageIOBase::Pointer
 makeReader(ImageFormat format)
@@ -37,53 +29,6 @@ makeReader(ImageFormat format)
       break;
   }
   return itk::NrrdImageIO::New().GetPointer();
-}
-
-/** A link with a name of our choice to a file, in a folder of its own that goes with it. */
-class PrivateLink
-{
-public:
-  PrivateLink(const std::string & fileName, const std::string & name)
-  {
-    std::string folder = (fs::temp_directory_path() / "moserhex-link-XXXXXX").string();
-    if (!::mkdtemp(folder.data()))
-    {
-      throw IOError(ErrorCode::InputOutput, fileName, "cannot make a link to it in " + folder, "set TMPDIR");
-    }
-    m_Folder = folder;
-    fs::create_symlink(fs::absolute(fileName), m_Folder / name);
-    m_Name = (m_Folder / name).string();
-  }
-  ~PrivateLink()
-  {
-    std::error_code ignored;
-    fs::remove_all(m_Folder, ignored); // the link, not its target
-  }
-  PrivateLink(const PrivateLink &) = delete;
-  PrivateLink &
-  operator=(const PrivateLink &) = delete;
-
-  [[nodiscard]] const std::string &
-  name() const
-  {
-    return m_Name;
-  }
-
-private:
-  fs::path    m_Folder;
-  std::string m_Name;
-};
-
-/** The NIfTI library tells compressed files by their names, in lower case. Under .nii.gz it reads both kinds. */
-bool
-needsLink(const ImageDescription & image)
-{
-  const auto ends = [&image](const std::string & ending) {
-    const std::string & name = image.fileName;
-    return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-  };
-  return image.format == ImageFormat::Nifti && !ends(".nii.gz") &&
-         !(ends(".nii") && beginningOf(image.fileName, 2) != "\x1F\x8B");
 }
 
 bool
@@ -152,15 +97,10 @@ deliveredComponent(const ImageDescription & image)
 }
 
 void
-readByItk(const ImageDescription & image, void * buffer)
+readByItk(const ImageDescription & image, const std::string & itkName, void * buffer)
 {
-  std::optional<PrivateLink> link;
-  if (needsLink(image))
-  {
-    link.emplace(image.fileName, "image.nii.gz");
-  }
   const auto reader = makeReader(image.format);
-  reader->SetFileName(link ? link->name() : image.fileName);
+  reader->SetFileName(itkName);
   reader->ReadImageInformation();
   requireSameImage(image, *reader);
   itk::ImageIORegion region(reader->GetNumberOfDimensions());

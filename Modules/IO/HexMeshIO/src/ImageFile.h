@@ -17,9 +17,10 @@ deliveredComponent(const ImageDescription & image);
 
 /** Reads the voxels of a checked image into `buffer`, as many deliveredComponent as there are voxels times layers. The
  * one reader of the format is called by name: no factory, so no other parser ever sees the file.
+ * \param itkName  see NiftiLink
  * \throws BadInput (ReaderFailed)  it sees another image than the check did; itk::ExceptionObject */
 void
-readByItk(const ImageDescription & image, void * buffer);
+readByItk(const ImageDescription & image, const std::string & itkName, void * buffer);
 
 /** \throws BadInput (ReaderFailed)  ITK delivered other bytes than the file holds. Not known for scaled images. */
 void
@@ -31,7 +32,7 @@ requireDelivered(const ImageDescription & image, const void * buffer);
  * file or reads other bytes; IOError */
 template <typename TBody>
 void
-withCheckedVoxels(const std::string & fileName, bool sandboxed, const TBody & body);
+withCheckedVoxels(const std::string & fileName, const std::string & itkName, bool sandboxed, const TBody & body);
 
 /** Header, memory, bytes: what withCheckedVoxels does before ITK. */
 [[nodiscard]] ImageDescription
@@ -67,13 +68,13 @@ withImageErrors(const std::string & fileName, const TRead & read)
 
 template <typename TBody>
 void
-withCheckedVoxels(const std::string & fileName, bool sandboxed, const TBody & body)
+withCheckedVoxels(const std::string & fileName, const std::string & itkName, bool sandboxed, const TBody & body)
 {
   withImageErrors(fileName, [&] {
     const ImageDescription image = checkedDescription(fileName, sandboxed);
     withComponent(deliveredComponent(image), [&](auto zero) {
       std::vector<decltype(zero)> voxels(image.grid.gridVoxels() * static_cast<std::size_t>(image.layers));
-      readByItk(image, voxels.data());
+      readByItk(image, itkName, voxels.data());
       requireDelivered(image, voxels.data());
       body(image, voxels);
     });

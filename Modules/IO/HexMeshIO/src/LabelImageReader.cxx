@@ -4,6 +4,7 @@
 #include "ImageFileCheck.h"
 #include "ImageGrid.h"
 #include "LabelVoxels.h"
+#include "NiftiLink.h"
 #include "Parcel.h"
 #include "ReaderSandbox.h"
 #include "Segments.h"
@@ -144,10 +145,10 @@ unpack(const std::string & fileName, const std::string & bytes)
 
 /** Reads, checks and packs. */
 std::string
-packedLabels(const std::string & fileName, const LabelReadOptions & options)
+packedLabels(const std::string & fileName, const std::string & itkName, const LabelReadOptions & options)
 {
   std::string parcel;
-  withCheckedVoxels(fileName, options.sandbox, [&](const ImageDescription & description, const auto & values) {
+  withCheckedVoxels(fileName, itkName, options.sandbox, [&](const ImageDescription & description, const auto & values) {
     ImageDescription          image = description;
     std::vector<SegmentEntry> segments = segmentsOf(image);
     const auto                chosen = chosenSegment(image, segments, options.segment);
@@ -184,7 +185,8 @@ readLabelImage(const std::string & fileName, const LabelReadOptions & options)
 {
   requireUsable(fileName, options);
   return withImageErrors(fileName, [&] {
-    const auto work = [&] { return packedLabels(fileName, options); };
+    const NiftiLink link(fileName);
+    const auto      work = [&] { return packedLabels(fileName, link.name(), options); };
     return unpack(fileName, options.sandbox ? runInSandbox(fileName, {}, work) : work());
   });
 }

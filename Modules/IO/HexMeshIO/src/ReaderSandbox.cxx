@@ -312,8 +312,8 @@ rethrow(const std::string & fileName, const AnswerHead & head, const std::string
 void
 allowSandboxMemory(std::uint64_t bytes)
 {
-#ifdef MOSERHEX_ADDRESS_SANITIZER
-  (void)bytes; // its shadow memory takes terabytes of addresses
+#ifdef MOSERHEX_SHADOW_MEMORY
+  (void)bytes; // a sanitizer's shadow memory takes terabytes of addresses
 #else
   std::uint64_t pages = 0;
   if (std::ifstream("/proc/self/statm") >> pages)

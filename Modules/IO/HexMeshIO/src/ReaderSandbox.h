@@ -27,8 +27,8 @@ struct SandboxLimits
  * \throws IOError   no process could be started
  * \note The child is a copy of the calling thread alone: a lock that another thread holds at that moment stays locked
  * in it. Work that needs such a lock ends at the wall limit, as ReaderFailed. So programs with several busy threads
- *       should read before they start them, or without a sandbox. Under the address sanitizer memory is not limited.
- *       Nothing is left behind: no zombie, no descriptor. */
+ *       should read before they start them, or without a sandbox. Under the address and thread sanitizers memory is not
+ * limited. Nothing is left behind: no zombie, no descriptor. */
 [[nodiscard]] std::string
 runInSandbox(const std::string & fileName, const SandboxLimits & limits, const std::function<std::string()> & work);
 

@@ -2,6 +2,7 @@
 
 #include "ImageFile.h"
 #include "ImageGrid.h"
+#include "NiftiLink.h"
 #include "Parcel.h"
 #include "ReaderSandbox.h"
 
@@ -15,10 +16,10 @@ namespace
 
 /** Voxels as they are, then grid, type and warnings. */
 std::string
-packedValues(const std::string & fileName, bool sandboxed)
+packedValues(const std::string & fileName, const std::string & itkName, bool sandboxed)
 {
   std::string parcel;
-  withCheckedVoxels(fileName, sandboxed, [&](const ImageDescription & image, const auto & values) {
+  withCheckedVoxels(fileName, itkName, sandboxed, [&](const ImageDescription & image, const auto & values) {
     if (image.layers != 1)
     {
       throw BadInput(
@@ -64,7 +65,8 @@ ScalarImage
 readScalarImage(const std::string & fileName, bool sandbox)
 {
   return withImageErrors(fileName, [&] {
-    const auto work = [&] { return packedValues(fileName, sandbox); };
+    const NiftiLink link(fileName);
+    const auto      work = [&] { return packedValues(fileName, link.name(), sandbox); };
     return unpack(fileName, sandbox ? runInSandbox(fileName, {}, work) : work());
   });
 }
