@@ -199,12 +199,18 @@ private:
         requireSameSense(volumes[part], volumes[outer]);
         continue;
       }
-      const bool isInside = std::abs(windingNumber(parts[outer], parts[part].vertices[0])) > 0.5;
-      ++(isInside ? cavities : separate);
-      if (isInside && (volumes[part] > 0.0) == (volumes[outer] > 0.0))
+      if (std::abs(windingNumber(parts[outer], parts[part].vertices[0])) < 0.5)
+      {
+        ++separate;
+        continue;
+      }
+      ++cavities;
+      const bool isTurned = (volumes[part] > 0.0) != (volumes[outer] > 0.0);
+      if (!isTurned || !liesInSolid(parts, part))
       {
         refuse(ErrorCode::Topology,
-               "a shell inside another has the same orientation: it is neither a cavity nor a part",
+               isTurned ? "a shell inside a cavity"
+                        : "a shell inside another has the same orientation: it is neither a cavity nor a part",
                "remove the inner shell or turn it");
       }
     }
@@ -216,6 +222,18 @@ private:
     {
       warn("the surface has " + std::to_string(cavities) + (cavities == 1 ? " cavity" : " cavities"));
     }
+  }
+
+  /** Whether the winding number around a part, of all the others, is 1 or -1. */
+  [[nodiscard]] static bool
+  liesInSolid(const std::vector<TriangleMesh> & parts, std::size_t part)
+  {
+    double winding = 0.0;
+    for (std::size_t other = 0; other < parts.size(); ++other)
+    {
+      winding += other == part ? 0.0 : windingNumber(parts[other], parts[part].vertices[0]);
+    }
+    return std::abs(std::abs(winding) - 1.0) < 0.5;
   }
 
   /** Which parts hang together with this one through parts that cut one another. */

@@ -137,6 +137,8 @@ TEST(SurfaceCheck, InnerShellIsACavityOnlyWhenOrientedTheOtherWay)
   EXPECT_EQ(warningsOf(with(turned(inner), outer)), "the surface has 1 cavity\n");
   EXPECT_EQ(codeOf(with(outer, inner)), ErrorCode::Topology);
   EXPECT_EQ(codeOf(with(turned(outer), turned(inner))), ErrorCode::Topology);
+  EXPECT_EQ(codeOf(with(with(outer, turned(inner)), turned(icosphere(1, 2.0)))), ErrorCode::Topology);
+  EXPECT_EQ(codeOf(with(with(outer, turned(inner)), icosphere(1, 2.0))), ErrorCode::Topology);
   EXPECT_NEAR(enclosedVolume(check(with(turned(outer), inner)).mesh),
               enclosedVolume(outer) - enclosedVolume(inner),
               1e-9); // inside out as a whole

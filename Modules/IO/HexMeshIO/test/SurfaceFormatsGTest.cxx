@@ -1,6 +1,7 @@
 // What each format's reader takes and refuses, by code. Coordinates are binary fractions: volumes are exact.
 #include "SurfaceFormats.h"
 
+#include "RawSurfaceBytes.h"
 #include "TestFolder.h"
 #include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
@@ -480,6 +481,36 @@ TEST(SurfaceFormats, WhatSurroundsTheSurfaceInLegacyVtkIsPassedOver)
   EXPECT_TRUE(read("vtk", replaced(cubeVtkBinary(), "POINTS", binaryField)).isRas);
   EXPECT_EQ(codeOf("vtk", replaced(cubeVtkBinary(), "POINTS", "FIELD F 1\nSPACE 1 1 string\n\x3FRAS")),
             ErrorCode::Truncated);
+}
+
+TEST(SurfaceFormats, SurfaceGoesThroughBytesUnchanged)
+{
+  RawSurface surface = read("off", cubeOff());
+  surface.isRas = true;
+  const RawSurface copy = rawSurfaceOf("a.vtp", bytesOf(surface));
+  EXPECT_EQ(copy.mesh.vertices, surface.mesh.vertices);
+  EXPECT_EQ(copy.mesh.triangles, surface.mesh.triangles);
+  EXPECT_EQ(copy.splitPolygons, 6u);
+  EXPECT_TRUE(copy.isRas);
+}
+
+TEST(SurfaceFormats, BytesThatAreNoWholeSurfaceAreRefused)
+{
+  const RawSurface  surface = read("off", cubeOff());
+  const std::string bytes = bytesOf(surface);
+  const auto        codeOfBytes = [](const std::string & damaged) {
+    return codeThrownBy([&] { (void)rawSurfaceOf("a.vtp", damaged); });
+  };
+  EXPECT_EQ(codeOfBytes(""), ErrorCode::ReaderFailed);
+  EXPECT_EQ(codeOfBytes(bytes.substr(0, bytes.size() - 1)), ErrorCode::ReaderFailed);
+  EXPECT_EQ(codeOfBytes(bytes + "x"), ErrorCode::ReaderFailed);
+  EXPECT_EQ(codeOfBytes(std::string(8, '\xFF') + bytes.substr(8)), ErrorCode::ReaderFailed);
+  RawSurface notFinite = surface;
+  notFinite.mesh.vertices[2].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(codeOfBytes(bytesOf(notFinite)), ErrorCode::ReaderFailed);
+  RawSurface outOfRange = surface;
+  outOfRange.mesh.triangles[2][1] = 8;
+  EXPECT_EQ(codeOfBytes(bytesOf(outOfRange)), ErrorCode::ReaderFailed);
 }
 
 TEST(SurfaceFormats, XmlThatCouldHarmIsRefused)
