@@ -333,7 +333,7 @@ TEST(TopologyRepair, ManyHandlesAreRefusedAtOnce)
 
 TEST(TopologyRepair, NoiseIsRefusedBeforeAnyWork)
 {
-  const LabelVolume label = test::randomLabel({ { 60, 60, 60 } }, 0.5, 1);
+  const LabelVolume label = test::randomLabel({ { 60, 60, 60 } }, 0.05, 1);
   const auto        message = analytic::messageOf([&] { (void)repairTopology(label); });
   EXPECT_NE(message.find("components, "), std::string::npos) << message;
   EXPECT_NE(message.find(" % of the volume or more, at most 5 % are allowed"), std::string::npos) << message;
