@@ -65,9 +65,9 @@ TopologyRound::addPatches(PatchThickener & thickener, std::vector<std::vector<st
     TopologyPatch patch{ fills, std::move(part), 0, 0 };
     patch.components = componentsTaken(patch);
     const long euler = flip(patch.voxels, value);
-    patch.handles = static_cast<std::size_t>(euler + static_cast<long>(patch.components));
+    patch.handles = euler + patch.components;
     const bool removesOnly = !fills && patch.handles == 0;
-    if (patch.handles + patch.components > 0 && !removesOnly)
+    if (patch.makesSimpler() && !removesOnly)
     {
       thickener.thicken(m_Label.inside, patch.voxels, value);
     }
@@ -75,7 +75,7 @@ TopologyRound::addPatches(PatchThickener & thickener, std::vector<std::vector<st
     {
       m_Label.inside[voxel] = fills ? 0 : 1;
     }
-    if (patch.handles + patch.components > 0)
+    if (patch.makesSimpler())
     {
       m_Patches.push_back(std::move(patch));
     }
@@ -106,7 +106,7 @@ TopologyRound::rootOf(std::int32_t component) const
   return root;
 }
 
-std::size_t
+long
 TopologyRound::componentsTaken(const TopologyPatch & patch) const
 {
   if (!patch.fills)
@@ -119,8 +119,7 @@ TopologyRound::componentsTaken(const TopologyPatch & patch) const
     return static_cast<std::size_t>(std::count_if(
       voxels.begin(), voxels.end(), [&](const auto & part) { return part.second == m_Voxels[part.first]; }));
   }
-  const std::size_t touched = touchedComponents(patch).size();
-  return touched == 0 ? 0 : touched - 1;
+  return std::max(0L, static_cast<long>(touchedComponents(patch).size()) - 1);
 }
 
 std::set<std::size_t>
@@ -168,15 +167,13 @@ TopologyRound::mustWait(const TopologyPatch & patch) const
 bool
 TopologyRound::make(TopologyPatch & patch)
 {
-  const std::size_t components = componentsTaken(patch);
-  const long        handles =
-    static_cast<long>(patch.handles) + static_cast<long>(components) - static_cast<long>(patch.components);
-  if (handles < 0 || static_cast<std::size_t>(handles) + components == 0)
+  const long euler = patch.handles - patch.components;
+  patch.components = componentsTaken(patch);
+  patch.handles = euler + patch.components;
+  if (!patch.makesSimpler())
   {
     return false;
   }
-  patch.components = components;
-  patch.handles = static_cast<std::size_t>(handles);
   for (const std::size_t voxel : patch.voxels)
   {
     m_Label.inside[voxel] = patch.fills ? 1 : 0;

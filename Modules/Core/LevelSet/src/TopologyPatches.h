@@ -15,8 +15,14 @@ struct TopologyPatch
 {
   bool                     fills{ false };
   std::vector<std::size_t> voxels;
-  std::size_t              handles{ 0 };    ///< that it takes away
-  std::size_t              components{ 0 }; ///< that it removes or joins to others
+  long                     handles{ 0 };    ///< that it takes away
+  long                     components{ 0 }; ///< that it removes or joins to others
+
+  [[nodiscard]] bool
+  makesSimpler() const
+  {
+    return handles >= 0 && handles + components > 0;
+  }
 };
 
 /** One round of repair: a label without cavities, its patches, and which of them can still be made.
@@ -57,7 +63,7 @@ private:
   flip(const std::vector<std::size_t> & voxels, std::uint8_t value);
 
   /** Components that the voxels hold completely (removing) or connect to others (filling). */
-  [[nodiscard]] std::size_t
+  [[nodiscard]] long
   componentsTaken(const TopologyPatch & patch) const;
 
   [[nodiscard]] std::set<std::size_t>

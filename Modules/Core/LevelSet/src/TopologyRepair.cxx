@@ -6,6 +6,7 @@
 #include "moserhex/Common/Errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <optional>
@@ -96,6 +97,17 @@ struct TooMuch
   std::size_t voxels;
 };
 
+/** What can be said before any work: a voxel that is flipped joins or parts at most 6 components of the inside and 8 of
+ * the outside around it, so the sum of components, cavities and handles changes by no more than 5 + 7. */
+std::optional<TooMuch>
+lowerBound(const VoxelTopology & topology, std::size_t most)
+{
+  constexpr std::size_t largestStep = 12;
+  const std::size_t steps = topology.components - 1 + topology.cavities + static_cast<std::size_t>(topology.handles());
+  const std::size_t voxels = (steps + largestStep - 1) / largestStep;
+  return voxels > most ? std::optional<TooMuch>({ voxels }) : std::nullopt;
+}
+
 /** Makes the patches of one round that do not touch each other. \return TooMuch when not even the smallest may be made
  */
 std::optional<TooMuch>
@@ -113,9 +125,16 @@ repairRound(LabelVolume & label, detail::PatchThickener & thickener, std::size_t
     if (!round.mustWait(patch) && round.make(patch))
     {
       any = true;
-      report.changes.push_back(
-        { kindOf(patch), patch.components, patch.handles, patch.voxels.size(), meanPoint(label, patch.voxels) });
+      report.changes.push_back({ kindOf(patch),
+                                 static_cast<std::size_t>(patch.components),
+                                 static_cast<std::size_t>(patch.handles),
+                                 patch.voxels.size(),
+                                 meanPoint(label, patch.voxels) });
     }
+  }
+  if (!any)
+  {
+    throw Error(ErrorCode::Internal, "topology repair: no patch makes the topology simpler"); // against (A1b)
   }
   return std::nullopt;
 }
@@ -225,7 +244,7 @@ describe(const TopologyRepairReport & report, TopologyChangeKind kind)
   std::ostringstream text;
   text << count << ' ' << nameOf(kind, count) << ": " << voxels << (voxels == 1 ? " voxel " : " voxels ")
        << (largest->adds() ? "added" : "removed") << std::setprecision(3) << ", " << volume << " mm^3, " << percent
-       << " % of the label" << (largest->voxels < voxels ? ", most of them" : "") << " at ";
+       << " % of the label" << (largest->voxels < voxels ? ", the largest" : "") << " at ";
   text << std::fixed << std::setprecision(1) << largest->centre.x() << ", " << largest->centre.y() << ", "
        << largest->centre.z() << " mm LPS";
   return text.str();
@@ -290,7 +309,11 @@ repairTopology(const LabelVolume & label, const TopologyRepairOptions & options)
     return result;
   }
   const auto most = static_cast<std::size_t>(options.maximumChange * static_cast<double>(result.report.labelVoxels));
-  std::optional<TooMuch> tooMuch;
+  std::optional<TooMuch> tooMuch = lowerBound(result.report.before, most);
+  if (tooMuch)
+  {
+    refuse(result.report, *tooMuch, options);
+  }
   for (const double radius : { options.radius, 0.5 * options.radius, 0.0 })
   {
     LabelVolume          repaired = box;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace moserhex::detail
@@ -13,46 +12,59 @@ namespace
 
 constexpr double notReached = std::numeric_limits<double>::infinity();
 
-/** Voxels in the order of a value; of equals the one that came first, so that fronts move evenly. */
+constexpr double stepsPerVoxel = 8.0; ///< values are told apart that finely, in the shortest voxel side
+
+/** Voxels in the order of a value, in steps; in one step the one that came first, so that fronts move evenly. */
 class Queue
 {
 public:
+  Queue(double smallest, const VoxelGrid & grid) : m_Smallest(smallest), m_Step(grid.spacing.minCoeff() / stepsPerVoxel)
+  {}
+
   void
   push(double order, std::size_t voxel)
   {
-    m_Entries.push({ order, m_Pushed++, voxel });
+    const auto step = static_cast<std::size_t>(std::max(0.0, (order - m_Smallest) / m_Step));
+    if (step >= m_Steps.size())
+    {
+      m_Steps.resize(step + 1);
+    }
+    m_Steps[step].voxels.push_back(voxel);
+    m_First = std::min(m_First, step);
+    ++m_Count;
   }
 
   std::size_t
   pop()
   {
-    const std::size_t voxel = m_Entries.top().voxel;
-    m_Entries.pop();
-    return voxel;
+    while (m_Steps[m_First].popped == m_Steps[m_First].voxels.size())
+    {
+      m_Steps[m_First] = {};
+      ++m_First;
+    }
+    --m_Count;
+    Step & step = m_Steps[m_First];
+    return step.voxels[step.popped++];
   }
 
   [[nodiscard]] bool
   empty() const
   {
-    return m_Entries.empty();
+    return m_Count == 0;
   }
 
 private:
-  struct Entry
+  struct Step
   {
-    double      order;
-    std::size_t turn;
-    std::size_t voxel;
-
-    bool
-    operator<(const Entry & other) const // the largest comes first
-    {
-      return order > other.order || (order == other.order && turn > other.turn);
-    }
+    std::vector<std::size_t> voxels;
+    std::size_t              popped{ 0 };
   };
 
-  std::priority_queue<Entry> m_Entries;
-  std::size_t                m_Pushed{ 0 };
+  double            m_Smallest;
+  double            m_Step;
+  std::vector<Step> m_Steps;
+  std::size_t       m_First{ 0 }; ///< none before this one has voxels left
+  std::size_t       m_Count{ 0 };
 };
 
 /** Flips simple voxels of the queue to `value`, and then what comes into reach: `follows(voxel)` says which voxels may
@@ -136,7 +148,7 @@ ballWithin(const LabelVolume & label, const std::vector<double> & order, std::si
 {
   const VoxelNeighbourhood  neighbourhood(label);
   std::vector<std::uint8_t> ball(label.inside.size(), 0);
-  Queue                     queue;
+  Queue                     queue(order[seed], label);
   ball[seed] = 1;
   const auto follows = [&](std::size_t voxel) { return label.inside[voxel] != 0; };
   for (const std::ptrdiff_t stride : neighbourhood.strides())
@@ -159,7 +171,7 @@ ballAround(const LabelVolume & label, const std::vector<double> & order)
   const VoxelNeighbourhood  neighbourhood(label);
   std::vector<std::uint8_t> ball(label.inside.size(), 0);
   forBox(label, [&](std::size_t voxel) { ball[voxel] = 1; });
-  Queue queue;
+  Queue queue(-*std::max_element(order.begin(), order.end()), label);
   forBox(label, [&](std::size_t voxel) {
     const bool atOutside =
       std::any_of(neighbourhood.strides().begin(), neighbourhood.strides().end(), [&](std::ptrdiff_t stride) {
@@ -277,7 +289,7 @@ void
 PatchThickener::thicken(std::vector<std::uint8_t> & mask, std::vector<std::size_t> & patch, std::uint8_t value)
 {
   const std::vector<std::size_t> reached = reach(mask, patch, value);
-  Queue                          queue;
+  Queue                          queue(0.0, m_Grid);
   for (const std::size_t voxel : patch)
   {
     for (const std::ptrdiff_t stride : m_Neighbourhood.strides())

@@ -331,6 +331,14 @@ TEST(TopologyRepair, ManyHandlesAreRefusedAtOnce)
   EXPECT_NE(analytic::messageOf([&] { (void)repairTopology(label, options); }).find("handles"), std::string::npos);
 }
 
+TEST(TopologyRepair, NoiseIsRefusedBeforeAnyWork)
+{
+  const LabelVolume label = test::randomLabel({ { 60, 60, 60 } }, 0.05, 1);
+  const auto        message = analytic::messageOf([&] { (void)repairTopology(label); });
+  EXPECT_NE(message.find("components, "), std::string::npos) << message;
+  EXPECT_NE(message.find(" % of the volume or more, at most 5 % are allowed"), std::string::npos) << message;
+}
+
 TEST(TopologyRepair, RadiusShrinksWhereTheLimitAllowsNoMore)
 {
   const auto label =
@@ -366,7 +374,7 @@ TEST(DescribeTopologyRepair, HasOneShortLinePerKindWithVoxelsVolumeShareAndPlace
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(
     lines[0],
-    "2 separate parts left out: 20 voxels removed, 5 mm^3, 0.02 % of the label, most of them at 4.0, 5.0, 6.0 mm "
+    "2 separate parts left out: 20 voxels removed, 5 mm^3, 0.02 % of the label, the largest at 4.0, 5.0, 6.0 mm "
     "LPS");
   EXPECT_EQ(lines[1],
             "1 separate part joined to the rest: 1 voxel added, 0.25 mm^3, 0.001 % of the label at 0.0, 0.0, "
