@@ -94,7 +94,7 @@ requireNoOtherKind(const std::string & fileName)
                                                 { 0, "BZh", "a bzip2 archive" },
                                                 { 0, "<", "HTML or XML text" },
                                                 { 0, "# vtk", "a VTK file" },
-                                                { 128, "DICM", "DICOM" } } };
+                                                { 128, "DICM", "DICOM (3D Slicer or dcmqi convert a DICOM SEG)" } } };
   const std::string                    begin = beginningOf(fileName, 132);
   for (const Kind & kind : kinds)
   {

@@ -41,7 +41,9 @@ writeNrrd(const std::string & fileName, const LabelVolume & labels)
 void
 requireSame(const std::string & fileName, const std::string & partName, const LabelVolume & labels)
 {
-  const LabelImage  read = readLabelImage(partName);
+  LabelReadOptions options;
+  options.sandbox = false; // a file of our own, in a program that may be busy with threads
+  const LabelImage  read = readLabelImage(partName, options);
   const LabelVolume frame = labelVolumeOf(*read.image, 1);
   const bool        samePlace = frame.size == labels.size && frame.spacing.isApprox(labels.spacing, 1e-9) &&
                          (frame.origin - labels.origin).norm() <= 1e-6 &&

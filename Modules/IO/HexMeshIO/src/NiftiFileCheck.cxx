@@ -166,8 +166,12 @@ setScale(const NiftiHeader & header, ImageDescription & image)
   {
     throwHeader(image.fileName, "scl_slope or scl_inter is not plausible");
   }
-  image.slope = slope;
-  image.intercept = intercept;
+  constexpr double nothing = std::numeric_limits<double>::epsilon(); // ITK's measure of what needs no scaling
+  if (std::abs(slope - 1.0) > nothing || std::abs(intercept) > nothing)
+  {
+    image.slope = slope;
+    image.intercept = intercept;
+  }
 }
 
 } // namespace

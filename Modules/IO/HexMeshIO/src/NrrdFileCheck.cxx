@@ -15,61 +15,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-ComponentType
-nrrdComponentType(const std::string & file, const std::string & type)
-{
-  static const std::map<std::string, ComponentType> types{ { "signed char", ComponentType::Int8 },
-                                                           { "int8", ComponentType::Int8 },
-                                                           { "int8_t", ComponentType::Int8 },
-                                                           { "uchar", ComponentType::UInt8 },
-                                                           { "unsigned char", ComponentType::UInt8 },
-                                                           { "uint8", ComponentType::UInt8 },
-                                                           { "uint8_t", ComponentType::UInt8 },
-                                                           { "short", ComponentType::Int16 },
-                                                           { "short int", ComponentType::Int16 },
-                                                           { "signed short", ComponentType::Int16 },
-                                                           { "signed short int", ComponentType::Int16 },
-                                                           { "int16", ComponentType::Int16 },
-                                                           { "int16_t", ComponentType::Int16 },
-                                                           { "ushort", ComponentType::UInt16 },
-                                                           { "unsigned short", ComponentType::UInt16 },
-                                                           { "unsigned short int", ComponentType::UInt16 },
-                                                           { "uint16", ComponentType::UInt16 },
-                                                           { "uint16_t", ComponentType::UInt16 },
-                                                           { "int", ComponentType::Int32 },
-                                                           { "signed int", ComponentType::Int32 },
-                                                           { "int32", ComponentType::Int32 },
-                                                           { "int32_t", ComponentType::Int32 },
-                                                           { "uint", ComponentType::UInt32 },
-                                                           { "unsigned int", ComponentType::UInt32 },
-                                                           { "uint32", ComponentType::UInt32 },
-                                                           { "uint32_t", ComponentType::UInt32 },
-                                                           { "longlong", ComponentType::Int64 },
-                                                           { "long long", ComponentType::Int64 },
-                                                           { "long long int", ComponentType::Int64 },
-                                                           { "signed long long", ComponentType::Int64 },
-                                                           { "signed long long int", ComponentType::Int64 },
-                                                           { "int64", ComponentType::Int64 },
-                                                           { "int64_t", ComponentType::Int64 },
-                                                           { "ulonglong", ComponentType::UInt64 },
-                                                           { "unsigned long long", ComponentType::UInt64 },
-                                                           { "unsigned long long int", ComponentType::UInt64 },
-                                                           { "uint64", ComponentType::UInt64 },
-                                                           { "uint64_t", ComponentType::UInt64 },
-                                                           { "float", ComponentType::Float32 },
-                                                           { "double", ComponentType::Float64 } };
-  const auto                                        entry = types.find(lowerCase(type));
-  if (entry != types.end())
-  {
-    return entry->second;
-  }
-  if (lowerCase(type) == "block")
-  {
-    throw BadInput(ErrorCode::PixelType, file, "voxel type 'block'", "export integer labels, one per voxel");
-  }
-  throwHeader(file, "voxel type " + quoted(type) + " is unknown");
-}
-
 using SpaceVector = std::optional<std::vector<double>>;
 
 /** "(a,b,c) none (d,e,f)". \throws BadInput (Header) */

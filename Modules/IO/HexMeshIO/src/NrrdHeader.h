@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ImageDescription.h"
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -31,6 +33,10 @@ struct NrrdHeader
  *         before one that it depends on; no end */
 [[nodiscard]] NrrdHeader
 parseNrrdHeader(const std::string & file, const std::string & text);
+
+/** The value of the field "type", in any of its spellings. \throws BadInput (Header, PixelType) */
+[[nodiscard]] ComponentType
+nrrdComponentType(const std::string & file, const std::string & type);
 
 constexpr std::size_t longestNrrdHeader = 4 << 20;
 

@@ -418,6 +418,14 @@ TEST(NiftiCheck, SlopeAndInterceptAreAppliedToLabels)
   expectTestVoxels(readHere(folder / "a.nii"));
 }
 
+TEST(NiftiCheck, InterceptOfNothingScalesNothing)
+{
+  const TestFolder folder;
+  NiftiText        text;
+  writeBytes(folder / "a.nii", text.set<float>(116, 1.8e-43F).file());
+  expectTestVoxels(readHere(folder / "a.nii"));
+}
+
 TEST(NiftiCheck, SlopeThatIsNoNumberIsLeftAside)
 {
   const TestFolder folder;
