@@ -19,6 +19,13 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
+/** The address sanitizer's own memory is beyond any limit. */
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool memoryIsLimited = false;
+#else
+constexpr bool memoryIsLimited = true;
+#endif
+
 /** A mark at the end tells a whole answer from one cut off by death. */
 constexpr char endMark = '\x04';
 
@@ -38,7 +45,7 @@ beChild(const std::function<std::string()> & work, const ChildLimits & limits, i
   ::setpgid(0, 0);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 64UL << 20);
-  if (limits.mebibytes > 0)
+  if (memoryIsLimited)
   {
     limit(RLIMIT_AS, limits.mebibytes << 20);
   }

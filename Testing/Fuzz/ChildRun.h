@@ -10,7 +10,7 @@ namespace moserhex::fuzz
 struct ChildLimits
 {
   double      seconds{ 10.0 };   ///< wall time
-  std::size_t mebibytes{ 2048 }; ///< address space; 0: no limit, for sanitizers
+  std::size_t mebibytes{ 2048 }; ///< address space; not limited under the address sanitizer
 };
 
 struct ChildResult

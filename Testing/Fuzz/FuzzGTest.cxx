@@ -27,7 +27,6 @@ TEST(Fuzz, SeedsAreTheSameBytesEveryTimeAndAreTaken)
     MutantOptions options;
     options.mutants = 0;
     options.pipelineEvery = 0;
-    options.limits.mebibytes = 0;
     EXPECT_TRUE(runMutants(first[i], options).findings.empty()) << first[i].format;
   }
 }
@@ -86,7 +85,6 @@ TEST(Fuzz, SeedThatIsRefusedIsAFindingAndKept)
   const ScratchFolder folder;
   MutantOptions       options;
   options.mutants = 3;
-  options.limits.mebibytes = 0;
   options.keepFolder = folder / "kept";
   const MutantTally tally =
     runMutants({ SeedUse::Surface, "broken", { "a.off", "OFF\n" }, { { "b.txt", "beside" } } }, options);

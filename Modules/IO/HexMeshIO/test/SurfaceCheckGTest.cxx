@@ -153,6 +153,25 @@ TEST(SurfaceCheck, SlightOverlapIsAWarningAndAnythingElseIsRefused)
   EXPECT_EQ(codeOf(with(big, big, Vector3(4, 1, 0))), ErrorCode::SurfaceIntersects);
 }
 
+TEST(SurfaceCheck, KleinBottleIsRefused)
+{
+  // A torus of squares whose last row is joined to the first one mirrored; where its vertices are does not matter.
+  constexpr int n = 5;
+  TriangleMesh  mesh;
+  const auto    vertex = [](int i, int j) { return (i % n) * n + (i < n ? j : 2 * n - j) % n; };
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      mesh.vertices.emplace_back(i, j, 0.37 * i * j);
+      mesh.triangles.push_back({ vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1) });
+      mesh.triangles.push_back({ vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1) });
+    }
+  }
+  EXPECT_EQ(codeOf(mesh), ErrorCode::SurfaceNonManifold);
+  EXPECT_NE(messageOf<BadInput>([&] { (void)check(mesh); }).find("not orientable"), std::string::npos);
+}
+
 TEST(SurfaceCheck, HandlesAreCounted)
 {
   EXPECT_EQ(warningsOf(torusSurface(24, 12, 20.0, 7.0)), "the surface has 1 handle (genus 1)\n");

@@ -477,6 +477,10 @@ TEST(SurfaceFormats, WhatSurroundsTheSurfaceInLegacyVtkIsPassedOver)
   EXPECT_FALSE(read("vtk", replaced(cubeVtk(), "POINTS", replaced(field, "RAS", "LPS"))).isRas);
   EXPECT_TRUE(read("vtk", replaced(cubeVtk(), "a cube", "3D Slicer output. SPACE=RAS")).isRas);
 
+  const std::string numbers = "FIELD F 3\na 1 1 short\n" + std::string(2, '\xFF') + "\nMETADATA\nINFORMATION 0\n\n" +
+                              "b 2 1 unsigned_char\n" + std::string(2, '\xFF') + "\nc 1 1 unsigned_short\n" +
+                              std::string(2, '\xFF') + "\nPOINTS";
+  EXPECT_EQ(read("vtk", replaced(cubeVtkBinary(), "POINTS", numbers)).mesh.triangles.size(), 12u);
   const std::string binaryField = "FIELD FieldData 1\nSPACE 1 1 string\n\xC3RAS\nPOINTS";
   EXPECT_TRUE(read("vtk", replaced(cubeVtkBinary(), "POINTS", binaryField)).isRas);
   EXPECT_EQ(codeOf("vtk", replaced(cubeVtkBinary(), "POINTS", "FIELD F 1\nSPACE 1 1 string\n\x3FRAS")),
