@@ -180,3 +180,34 @@ TEST_F(DensityCommand, DensityIsReportedWithItsMassAndChecksum)
   EXPECT_NEAR(density["mass"].get<double>(), mass, 1e-9 * mass);
   EXPECT_NEAR(density["mass_per_cell"].get<double>(), mass / 343.0, 1e-9 * mass);
 }
+
+TEST_F(DensityCommand, MeshThatIsNotExactEndsWithFourUnlessItIsAllowed)
+{
+  // One voxel holds nearly all of the mass: no lattice has cells of equal mass then.
+  const LabelVolume gland = makeSampleProstate().gland;
+  writeSample();
+  const std::size_t centre = voxelsOf(gland)[voxelsOf(gland).size() / 2];
+  writeDensity(path("density.nrrd"), gland, [centre](std::size_t voxel) { return voxel == centre ? 1e6 : 1.0; });
+  const std::vector<std::string> arguments{ "mesh",      path("prostate.nrrd"), path("b.vtu"),           "--shells=2",
+                                            "--density", path("density.nrrd"),  "--shell-method=eikonal" };
+  const Outcome                  refused = run(arguments);
+  expectOneLineError(refused, 4);
+  EXPECT_NE(refused.error.find(": not exact: cells are not equal: variance "), std::string::npos) << refused.error;
+  EXPECT_NE(refused.error.find("; try other --shells, or --allow-partial [E_NOT_EXACT]\n"), std::string::npos)
+    << refused.error;
+  EXPECT_EQ(fileCount(), 2u);
+
+  std::vector<std::string> partial = arguments;
+  partial.insert(partial.end(), { "--allow-partial", "--report", path("r.json") });
+  const Outcome allowed = run(partial);
+  EXPECT_EQ(allowed.exitCode, 0) << allowed.error;
+  EXPECT_NE(allowed.out.find("NOT EXACT"), std::string::npos) << allowed.out;
+  EXPECT_EQ(readHexMesh(path("b.vtu")).nodesPerSide, 4);
+  const auto exact = nlohmann::json::parse(contentOf(path("r.json")))["exact"];
+  EXPECT_EQ(exact["reached"], false);
+  ASSERT_FALSE(exact["shortcomings"].empty());
+  for (const std::string shortcoming : exact["shortcomings"])
+  {
+    EXPECT_NE(allowed.error.find("warning: not exact: " + shortcoming + "\n"), std::string::npos) << allowed.error;
+  }
+}

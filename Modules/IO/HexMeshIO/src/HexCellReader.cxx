@@ -18,7 +18,8 @@ readHexCells(const std::string & fileName)
 {
   if (!isHexCellName(fileName))
   {
-    throw BadInput(ErrorCode::Format, fileName, "not a mesh file's name", "give a .vtu, .vtk, .msh, .mesh or .inp file");
+    throw BadInput(
+      ErrorCode::Format, fileName, "not a mesh file's name", "give a .vtu, .vtk, .msh, .mesh or .inp file");
   }
   requireReadableFile(fileName);
   if (endsWith(fileName, ".msh"))

@@ -58,7 +58,7 @@ TEST(QualityReport, ClassesAndLabelAreThereOnlyWhenTheyWereFound)
   QualityReport report = someReport(false);
   EXPECT_FALSE(jsonOf(report)["quality"].contains("classes"));
   EXPECT_FALSE(jsonOf(report).contains("label"));
-  report.label = QualityReport::Label{ "label.nrrd", 3, {} };
+  report.label = QualityReport::Label{ "label.nrrd", { 3 }, "label 3", {} };
   report.label->agreement.dice = 0.97;
   EXPECT_EQ(jsonOf(report)["label"]["dice"], 0.97);
   EXPECT_EQ(jsonOf(report)["label"]["label"], 3);

@@ -23,7 +23,18 @@ someReport()
   report.input.spacing = Vector3(0.1, 1.0 / 3.0, 3.0);
   report.input.voxels = 68000;
   report.input.volume = 51000.1;
-  report.parameters = { 10, "moser", "chan-vese", "", "anatomical", "" };
+  report.parameters.shells = 10;
+  report.parameters.stage = "moser";
+  report.parameters.shellMethod = "chan-vese";
+  report.parameters.way = "";
+  report.parameters.frame = "anatomical";
+  report.parameters.density = "";
+  report.parameters.topology = "repair";
+  report.parameters.maximumRepair = 5.0;
+  report.conditioning.handles = 1;
+  report.conditioning.voxelVolume = 2.0;
+  report.conditioning.voxelsRemoved = 3;
+  report.conditioning.changes = { { TopologyChangeKind::HandleCut, 0, 1, 3, Vector3(1.0, 2.0, 3.0) } };
   report.stages = { { "conditioning", 0.5, {} },
                     { "moser", 0.25, StageQuality{ 1e-3, 0.1, -0.05, 0.7 }, "31 steps, certified" } };
   report.mesh = { "mesh.vtu", 8000, 6859, 51000.2 };
@@ -120,4 +131,29 @@ TEST(LibraryVersions, AreFilledIn)
   EXPECT_FALSE(versions.itk.empty());
   EXPECT_FALSE(versions.vtk.empty());
   EXPECT_FALSE(versions.eigen.empty());
+}
+
+TEST(RunReport, RepairOfTheTopologySaysWhatWasChangedAndWhere)
+{
+  const auto json = nlohmann::json::parse(toJson(someReport()));
+  EXPECT_EQ(json["conditioning"]["handles"], 1);
+  EXPECT_EQ(json["conditioning"]["removed_mm3"], 6.0);
+  const auto change = json["conditioning"]["changes"][0];
+  EXPECT_EQ(change["kind"], "handle cut");
+  EXPECT_EQ(change["voxels"], 3);
+  EXPECT_EQ(change["volume_mm3"], 6.0);
+  EXPECT_EQ(change["centre_lps"], (std::vector<double>{ 1.0, 2.0, 3.0 }));
+  EXPECT_EQ(json["parameters"]["topology"], "repair");
+  EXPECT_TRUE(json["parameters"]["threshold"].is_null());
+}
+
+TEST(RunReport, LabelsTakenTogetherAreAListAndNoSingleLabel)
+{
+  RunReport report = someReport();
+  report.input.labels = { 1, 2 };
+  report.warnings = { "a", "b" };
+  const auto json = nlohmann::json::parse(toJson(report));
+  EXPECT_TRUE(json["input"]["label"].is_null());
+  EXPECT_EQ(json["input"]["labels"], (std::vector<int>{ 1, 2 }));
+  EXPECT_EQ(json["warning_count"], 2);
 }
