@@ -10,6 +10,7 @@ namespace
 {
 
 constexpr std::size_t mostNamedLabels = 8;
+constexpr std::size_t mostLabelsTogether = 16; ///< zones of an organ, not a parcellation
 
 /** A closed surface voxelised as label 1. */
 LabelImage
@@ -84,7 +85,7 @@ readSolid(const InputOptions & options)
   solid.image = isSurfaceName(options.file)
                   ? readVoxelisedSurface(options)
                   : readLabelImage(options.file, { options.threshold, options.segment, options.sandbox });
-  if (options.label || solid.image.labels.size() == 1)
+  if (options.label || solid.image.labels.size() == 1 || solid.image.labels.size() > mostLabelsTogether)
   {
     solid.labels = { chooseLabel(solid.image, options.label) };
     solid.mask = solid.image.image;
