@@ -1,5 +1,6 @@
 #include "CheckCommand.h"
 #include "Console.h"
+#include "Guard.h"
 #include "MeshCommand.h"
 #include "QualityCommand.h"
 #include "SampleCommand.h"
@@ -12,7 +13,6 @@
 
 #include <clocale>
 #include <cstdlib>
-#include <functional>
 
 namespace moserhex::app
 {
@@ -158,33 +158,6 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   return exitStatusOf(ErrorCode::Usage);
 }
 
-/** Runs a command and turns what it throws into a line and an exit code. */
-int
-runGuarded(const std::function<void()> & command)
-{
-  const auto fail = [](ErrorCode code, const std::string & message) {
-    printError(code, message);
-    return exitStatusOf(code);
-  };
-  try
-  {
-    command();
-    return EXIT_SUCCESS;
-  }
-  catch (const Error & error)
-  {
-    return fail(error.code(), error.what());
-  }
-  catch (const std::bad_alloc &)
-  {
-    return fail(ErrorCode::OutOfMemory, "not enough memory; use fewer shells or crop the image");
-  }
-  catch (const std::exception & error)
-  {
-    return fail(ErrorCode::Internal, std::string(error.what()) + "; please report this");
-  }
-}
-
 int
 run(int argc, char ** argv)
 {
@@ -237,7 +210,7 @@ run(int argc, char ** argv)
 int
 main(int argc, char ** argv)
 {
+  moserhex::app::openMissingStreams();
   moserhex::app::installSignalHandlers();
-  const int code = moserhex::app::run(argc, argv);
-  return std::fflush(stdout) == 0 ? code : moserhex::exitStatusOf(moserhex::ErrorCode::InputOutput);
+  return moserhex::app::flushOutput(moserhex::app::run(argc, argv));
 }

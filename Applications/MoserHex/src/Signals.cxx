@@ -27,6 +27,7 @@ installSignalHandlers()
     std::signal(signalNumber, removePartsAndEnd);
   }
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN); // the mesh counts, also when nobody reads the table
 }
 
 } // namespace moserhex::app

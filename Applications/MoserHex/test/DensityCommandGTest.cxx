@@ -137,7 +137,7 @@ TEST_F(DensityCommand, DensityThatIsNotPositiveInTheLabelEndsWithThreeAndNamesTh
     writeDensity(path("density.nrrd"), gland, [&](std::size_t at) { return at == inside ? value : 1.0; });
     const Outcome outcome =
       run({ "mesh", path("prostate.nrrd"), path("b.vtu"), "--density", path("density.nrrd"), "--shells", "2" });
-    expectOneLineError(outcome, 3);
+    expectErrorCode(outcome, "E_DENSITY");
     EXPECT_NE(outcome.error.find(voxel), std::string::npos) << outcome.error;
   }
   EXPECT_EQ(fileCount(), 2u);
@@ -191,7 +191,8 @@ TEST_F(DensityCommand, MeshThatIsNotExactEndsWithFourUnlessItIsAllowed)
   const std::vector<std::string> arguments{ "mesh",      path("prostate.nrrd"), path("b.vtu"),           "--shells=2",
                                             "--density", path("density.nrrd"),  "--shell-method=eikonal" };
   const Outcome                  refused = run(arguments);
-  expectOneLineError(refused, 4);
+  expectErrorCode(refused, "E_NOT_EXACT");
+  EXPECT_EQ(refused.exitCode, 4);
   EXPECT_NE(refused.error.find(": not exact: cells are not equal: variance "), std::string::npos) << refused.error;
   EXPECT_NE(refused.error.find("; try other --shells, or --allow-partial [E_NOT_EXACT]\n"), std::string::npos)
     << refused.error;

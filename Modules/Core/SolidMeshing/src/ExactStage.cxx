@@ -194,10 +194,19 @@ describeTurn(const Matrix3 & turn)
   return text.str();
 }
 
+/** Uncertified cells of a minimised mesh above which no attempt in a turned frame ever became exact; fewer are allowed
+ * to one that could only better an exact mesh. */
+std::size_t
+hopelessCells(int nodesPerSide, bool hasExactMesh)
+{
+  const std::size_t tangled = tangledCells(nodesPerSide);
+  return hasExactMesh ? tangled / 3 : 2 * tangled;
+}
+
 /** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Judges many turns by
  * where the edges lie on the surface, some of them by meshes on ever finer coarse lattices, meshes the best at full
- * size until one is exact with room to spare, and keeps the best mesh. Where none is exact an own frame that was given
- * up is worked out. */
+ * size until one is exact with room to spare, and keeps the best mesh. Where none is exact and a partial mesh will do,
+ * an own frame that was given up is worked out. */
 void
 tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
 {
@@ -210,9 +219,11 @@ tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const Pro
   const ProgressCallback atFullSize = progressBetween(progress, 0.6, 1.0);
   const std::size_t      parts = turns.size() + 1;
   const bool             wasGivenUp = isGivenUp(*result.equalisation);
-  const auto             workOut = [&](const Matrix3 & turn, std::size_t part) {
+  const auto             workOut = [&](const Matrix3 & turn, std::size_t part, std::size_t hopeless) {
+    EqualisationOptions inFrame = equalisationOptions(options);
+    inFrame.hopelessCells = std::min(inFrame.hopelessCells, hopeless);
     EqualisationResult equalised =
-      equalise(stage, equalisationOptions(options), stage.turnedStart(turn), progressOfPart(atFullSize, part, parts));
+      equalise(stage, inFrame, stage.turnedStart(turn), progressOfPart(atFullSize, part, parts));
     if (badness(equalised) < badness(*result.equalisation))
     {
       keep(std::move(equalised), result);
@@ -221,11 +232,11 @@ tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const Pro
   };
   for (std::size_t t = 0; t < turns.size() && !isAmple(*result.equalisation); ++t)
   {
-    workOut(turns[t], t);
+    workOut(turns[t], t, hopelessCells(2 * options.shells, result.equalisation->exact));
   }
-  if (wasGivenUp && !result.equalisation->exact)
+  if (options.allowPartial && wasGivenUp && !result.equalisation->exact)
   {
-    workOut(Matrix3::Identity(), turns.size());
+    workOut(Matrix3::Identity(), turns.size(), equalisationOptions(options).hopelessCells);
   }
 }
 

@@ -64,6 +64,12 @@ withComponent(ComponentType type, const TBody & body)
   return body(double{});
 }
 
+[[nodiscard]] inline bool
+isFloatingPoint(ComponentType type)
+{
+  return type == ComponentType::Float32 || type == ComponentType::Float64;
+}
+
 /** How the voxels are written. */
 enum class VoxelEncoding
 {

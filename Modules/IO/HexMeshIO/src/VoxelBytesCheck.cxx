@@ -7,6 +7,7 @@
 #include <itk_zlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace moserhex
@@ -51,6 +52,26 @@ swapComponents(char * bytes, std::size_t count, std::size_t componentSize)
   }
 }
 
+/** ITK's NIfTI reader makes 0 of numbers that are not finite; so that what it delivers can be compared, they are 0 here
+ * too, and counted. */
+template <typename TComponent>
+std::size_t
+clearNonFinite(char * bytes, std::size_t count, TComponent)
+{
+  std::size_t cleared = 0;
+  for (std::size_t begin = 0; begin + sizeof(TComponent) <= count; begin += sizeof(TComponent))
+  {
+    TComponent number{};
+    std::memcpy(&number, bytes + begin, sizeof number);
+    if (!std::isfinite(static_cast<double>(number)))
+    {
+      std::memset(bytes + begin, 0, sizeof number);
+      ++cleared;
+    }
+  }
+  return cleared;
+}
+
 void
 warnOfTrailingBytes(ImageDescription & image, std::uint64_t count, bool more)
 {
@@ -64,8 +85,10 @@ warnOfTrailingBytes(ImageDescription & image, std::uint64_t count, bool more)
 void
 checkBinary(ImageDescription & image, ByteSource & source)
 {
+  const bool        mayBeCleared = image.format == ImageFormat::Nifti && isFloatingPoint(image.component);
   std::vector<char> chunk(chunkSize);
   std::uint64_t     present = 0;
+  std::uint64_t     cleared = 0;
   while (present < image.promisedBytes)
   {
     const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(chunk.size(), image.promisedBytes - present));
@@ -73,6 +96,10 @@ checkBinary(ImageDescription & image, ByteSource & source)
     if (image.swapped)
     {
       swapComponents(chunk.data(), count, static_cast<std::size_t>(image.bytesPerComponent));
+    }
+    if (mayBeCleared)
+    {
+      cleared += withComponent(image.component, [&](auto zero) { return clearNonFinite(chunk.data(), count, zero); });
     }
     addToChecksum(image, chunk.data(), count);
     present += count;
@@ -84,6 +111,11 @@ checkBinary(ImageDescription & image, ByteSource & source)
                        std::to_string(present) + " found",
                      copyAgain);
     }
+  }
+  if (cleared > 0)
+  {
+    image.warnings.push_back(image.dataFile + ": " + std::to_string(cleared) +
+                             " values that are not finite were read as 0");
   }
   if (image.encoding == VoxelEncoding::Raw)
   {

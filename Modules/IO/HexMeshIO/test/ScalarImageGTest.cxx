@@ -138,6 +138,22 @@ TEST(ScalarImageReader, SlopeAndInterceptOfNiftiAreApplied)
   EXPECT_EQ(readScalarImage(folder / "a.nii").image->GetBufferPointer()[3], 5.5);
 }
 
+TEST(ScalarImageReader, ValuesOfNiftiThatAreNotFiniteAreReadAsZeroWithAWarning)
+{
+  const TestFolder folder;
+  const auto       image = testImage<float>();
+  image->GetBufferPointer()[7] = std::numeric_limits<float>::quiet_NaN();
+  image->GetBufferPointer()[9] = -std::numeric_limits<float>::infinity();
+  write(folder / "density.nii.gz", image.GetPointer());
+  const ScalarImage read = readScalarImage(folder / "density.nii.gz");
+  EXPECT_EQ(read.image->GetBufferPointer()[7], 0.0);
+  EXPECT_EQ(read.image->GetBufferPointer()[9], 0.0);
+  EXPECT_EQ(read.image->GetBufferPointer()[8], image->GetBufferPointer()[8]);
+  ASSERT_EQ(read.warnings.size(), 1u);
+  EXPECT_NE(read.warnings.front().find("2 values that are not finite were read as 0"), std::string::npos)
+    << read.warnings.front();
+}
+
 TEST(ScalarImageReader, ValuesThatAreNotFiniteAreLeftToTheLabel)
 {
   const TestFolder folder;
