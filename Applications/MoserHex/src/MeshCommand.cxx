@@ -28,13 +28,6 @@ requireUsableNames(const MeshCommandOptions & options)
     throw UsageError(
       fileMessage(options.output, "not a mesh file's name", "give an OUTPUT that ends with .vtu or .vtk"));
   }
-  if (!isInputName(options.input.file))
-  {
-    throw BadInput(ErrorCode::Format,
-                   options.input.file,
-                   "the name's ending is not that of a labelmap or a surface",
-                   "give .nrrd .nii .nii.gz .mha .mhd, or .vtk .vtp .stl .obj .ply .off");
-  }
   if (!options.density.empty() && options.stage != "exact")
   {
     throw UsageError("--density needs --stage exact");
@@ -54,6 +47,18 @@ requireUsableNames(const MeshCommandOptions & options)
   if (sameFile(options.output, options.reportFile))
   {
     throw UsageError(fileMessage(options.output, "is both OUTPUT and report", "give the report another name"));
+  }
+}
+
+void
+requireKnownKind(const InputOptions & input)
+{
+  if (!isInputName(input.file))
+  {
+    throw BadInput(ErrorCode::Format,
+                   input.file,
+                   "the name's ending is not that of a labelmap or a surface",
+                   "give .nrrd .nhdr .nii .nii.gz .mha .mhd, or .vtk .vtp .stl .obj .ply .off");
   }
 }
 
@@ -109,6 +114,7 @@ runMeshCommand(const MeshCommandOptions & userOptions)
 
   requireUsableNames(options);
   const std::string sha256 = sha256OfFile(options.input.file);
+  requireKnownKind(options.input);
   const ChosenSolid solid = readSolid(options.input);
   requireWritable(options.output);
   if (!options.reportFile.empty())

@@ -44,13 +44,17 @@ remedyForDensity(const std::string & fileName, const std::string & description)
 }
 
 const char *
-remedyForSolid(const ChosenSolid & solid, ErrorCode code)
+remedyForSolid(const ChosenSolid & solid, const MeshCommandOptions & options, ErrorCode code)
 {
   if (solid.labels.size() > 1)
   {
     return "choose one label with --label";
   }
-  return code == ErrorCode::Thin ? "use a finer image" : "see moserhex check, or correct the label in an editor";
+  if (code == ErrorCode::Topology)
+  {
+    return options.topology == "repair" ? "correct it, or raise --max-repair" : "correct it, or --topology repair";
+  }
+  return code == ErrorCode::Thin ? "use a finer image" : "correct the label in an editor";
 }
 
 } // namespace
@@ -89,7 +93,7 @@ runPipeline(const ChosenSolid & solid, const ScalarImageType * density, const Me
     {
       throw BadInput(error.GetCode(), options.density, description, remedyForDensity(options.density, description));
     }
-    throw BadInput(error.GetCode(), options.input.file, description, remedyForSolid(solid, error.GetCode()));
+    throw BadInput(error.GetCode(), options.input.file, description, remedyForSolid(solid, options, error.GetCode()));
   }
   catch (const itk::NotConvergedError & error)
   {

@@ -29,24 +29,21 @@ namespace
 class CommandLine : public CommandTest
 {};
 
-/** Tube of 5 around a circle of 12 voxels. */
+/** Voxels [2,18)^3 of 20^3 with a tunnel of one voxel along k. */
 LabelVolume
-solidTorus()
+cubeWithTunnel()
 {
-  LabelVolume ring;
-  ring.size = { 40, 40, 20 };
-  for (int k = 0; k < 20; ++k)
+  LabelVolume label;
+  label.size = { { 20, 20, 20 } };
+  for (int voxel = 0; voxel < 20 * 20 * 20; ++voxel)
   {
-    for (int j = 0; j < 40; ++j)
-    {
-      for (int i = 0; i < 40; ++i)
-      {
-        const double distance = std::hypot(std::hypot(i - 19.5, j - 19.5) - 12.0, k - 9.5);
-        ring.inside.push_back(distance < 5.0 ? 1 : 0);
-      }
-    }
+    const int  i = voxel % 20;
+    const int  j = voxel / 20 % 20;
+    const int  k = voxel / 400;
+    const bool isInCube = std::min({ i, j, k }) >= 2 && std::max({ i, j, k }) < 18;
+    label.inside.push_back(isInCube && !(i == 9 && j == 9) ? 1 : 0);
   }
-  return ring;
+  return label;
 }
 
 } // namespace
@@ -155,17 +152,17 @@ TEST_F(CommandLine, LabelThatIsNotThereIsRefusedWithTheOnesThatAre)
 
 TEST_F(CommandLine, LabelWithAHandleIsRepairedOrRefusedWithItsNumbers)
 {
-  writeLabelImage(path("ring.nrrd"), solidTorus());
-  const Outcome rejected = run({ "mesh", path("ring.nrrd"), path("b.vtu"), "--topology", "reject" });
+  writeLabelImage(path("tunnel.nrrd"), cubeWithTunnel());
+  const Outcome rejected = run({ "mesh", path("tunnel.nrrd"), path("b.vtu"), "--topology", "reject" });
   expectErrorCode(rejected, "E_TOPOLOGY");
   EXPECT_NE(rejected.error.find("1 handle"), std::string::npos) << rejected.error;
-  const Outcome limited = run({ "mesh", path("ring.nrrd"), path("b.vtu"), "--max-repair", "0.1" });
+  const Outcome limited = run({ "mesh", path("tunnel.nrrd"), path("b.vtu"), "--max-repair", "0.01" });
   expectErrorCode(limited, "E_TOPOLOGY");
-  EXPECT_NE(limited.error.find("0.1 %"), std::string::npos) << limited.error;
+  EXPECT_NE(limited.error.find("limit 0.01 %"), std::string::npos) << limited.error;
   EXPECT_EQ(fileCount(), 1u);
 
   const Outcome repaired = run({ "mesh",
-                                 path("ring.nrrd"),
+                                 path("tunnel.nrrd"),
                                  path("b.vtu"),
                                  "--shells=3",
                                  "--stage=initial",
@@ -176,8 +173,8 @@ TEST_F(CommandLine, LabelWithAHandleIsRepairedOrRefusedWithItsNumbers)
   EXPECT_NE(repaired.error.find("warning: "), std::string::npos) << repaired.error;
   const auto report = nlohmann::json::parse(contentOf(path("r.json")));
   EXPECT_EQ(report["conditioning"]["handles"], 1);
-  EXPECT_EQ(report["conditioning"]["changes"][0]["kind"], "handle cut");
-  EXPECT_GT(report["conditioning"]["voxels_removed"].get<int>(), 0);
+  EXPECT_EQ(report["conditioning"]["changes"][0]["kind"], "tunnel filled");
+  EXPECT_GT(report["conditioning"]["voxels_added"].get<int>(), 0);
   EXPECT_EQ(report["warning_count"], report["warnings"].size());
 }
 

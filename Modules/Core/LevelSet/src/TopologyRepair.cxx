@@ -185,9 +185,9 @@ refuse(const TopologyRepairReport & report, const TooMuch & tooMuch, const Topol
 {
   std::ostringstream message;
   message << std::setprecision(3) << options.labelName << ": " << describe(report.before)
-          << "; the repair would change "
+          << "; a repair changes >= "
           << 100.0 * static_cast<double>(tooMuch.voxels) / static_cast<double>(report.labelVoxels)
-          << " % of the volume or more, at most " << 100.0 * options.maximumChange << " % are allowed";
+          << " % of it, limit " << 100.0 * options.maximumChange << " %";
   throw InvalidInput(ErrorCode::Topology, message.str());
 }
 

@@ -138,7 +138,7 @@ TEST(LabelConditioningImageFilter, RepairIsReportedAndNotMoreThanAllowed)
   filter->SetMaximumRepair(0.0);
   EXPECT_EQ(filter->GetMaximumRepair(), 0.0);
   EXPECT_EQ(messageOf(filter).substr(0, 72),
-            "label 3: 1 cavity, V-E+F = 4, need 2 (genus 0); the repair would change ");
+            "label 3: 1 cavity, V-E+F = 4, need 2 (genus 0); a repair changes >= ");
 }
 
 TEST(LabelConditioningImageFilter, AbsentLabelIsRefusedWithTheLabelsPresent)
