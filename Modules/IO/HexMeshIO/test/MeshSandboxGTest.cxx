@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
 #include <pthread.h>
@@ -20,9 +21,8 @@ namespace
 int forks = 0;
 
 /** How many processes `call` starts. */
-template <typename TCall>
 int
-forksOf(const TCall & call)
+forksOf(const std::function<void()> & call)
 {
   static const int registered = ::pthread_atfork([] { ++forks; }, nullptr, nullptr);
   EXPECT_EQ(registered, 0);
@@ -63,17 +63,20 @@ codeOfBytes(const std::string & bytes)
 
 /** XML whose points, compressed, are in no blocks, the last of which is not full: VTK reads through a null pointer. */
 std::string
-deadlyXml(const std::string & kind, const std::string & counts)
+deadlyXml(const std::string & kind, const std::string & cells)
 {
   const std::string noBlocks("\0\0\0\0\x08\0\0\0\xC0\0\0\0", 12);
   return "<VTKFile type=\"" + kind +
          "\" version=\"0.1\" byte_order=\"LittleEndian\" header_type=\"UInt32\" "
          "compressor=\"vtkZLibDataCompressor\"><" +
-         kind + "><Piece NumberOfPoints=\"8\" " + counts +
-         "><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points>"
-         "</Piece></" +
-         kind + "><AppendedData encoding=\"raw\">_" + noBlocks + "</AppendedData></VTKFile>\n";
+         kind + "><Piece NumberOfPoints=\"8\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" " +
+         "NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points>" + cells + "</Piece></" + kind +
+         "><AppendedData encoding=\"raw\">_" + noBlocks + "</AppendedData></VTKFile>\n";
 }
+
+const char * const oneCell = "<Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4 5 6 7"
+                             "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">8</DataArray>"
+                             "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">12</DataArray></Cells>";
 
 const ReadOptions here{ false };
 
@@ -113,10 +116,10 @@ TEST(MeshBytes, MeshThatIsNotValidIsRefused)
 TEST(MeshSandbox, DeathOfVtksReaderIsItsFailureAndNoMore)
 {
   const TestFolder folder;
-  writeBytes(folder / "a.vtu", deadlyXml("UnstructuredGrid", "NumberOfCells=\"0\""));
+  writeBytes(folder / "a.vtu", deadlyXml("UnstructuredGrid", oneCell));
   EXPECT_EQ(codeThrownBy([&] { (void)readHexCells(folder / "a.vtu"); }), ErrorCode::ReaderFailed);
   EXPECT_EQ(codeThrownBy([&] { (void)readHexMesh(folder / "a.vtu"); }), ErrorCode::ReaderFailed);
-  writeBytes(folder / "a.vtp", deadlyXml("PolyData", "NumberOfPolys=\"0\""));
+  writeBytes(folder / "a.vtp", deadlyXml("PolyData", ""));
   EXPECT_EQ(codeThrownBy([&] { (void)readSurface(folder / "a.vtp"); }), ErrorCode::ReaderFailed);
 }
 
