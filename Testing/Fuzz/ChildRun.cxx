@@ -30,11 +30,11 @@ constexpr bool memoryIsLimited = true;
 constexpr char endMark = '\x04';
 
 void
-limit(int resource, rlim_t most)
+limit(int resource, rlim_t soft, rlim_t hard)
 {
   const struct rlimit both
   {
-    most, most
+    soft, hard
   };
   ::setrlimit(resource, &both);
 }
@@ -43,11 +43,12 @@ limit(int resource, rlim_t most)
 beChild(const std::function<std::string()> & work, const ChildLimits & limits, int output)
 {
   ::setpgid(0, 0);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 64UL << 20);
+  limit(RLIMIT_CORE, 0, 0);
+  limit(RLIMIT_FSIZE, 64UL << 20, 64UL << 20);
+  limit(RLIMIT_CPU, limits.cpuSeconds, RLIM_INFINITY); // a reading process sets its own, and the wall limit sees it
   if (memoryIsLimited)
   {
-    limit(RLIMIT_AS, limits.mebibytes << 20);
+    limit(RLIMIT_AS, limits.mebibytes << 20, limits.mebibytes << 20);
   }
   const int nowhere = ::open("/dev/null", O_RDWR);
   ::dup2(nowhere, STDIN_FILENO);
@@ -107,7 +108,7 @@ runInChild(const std::function<std::string()> & work, const ChildLimits & limits
   {
     throw std::runtime_error("cannot make a pipe");
   }
-  const auto  deadline = Clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * limits.seconds));
+  const auto  deadline = Clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * limits.wallSeconds));
   const pid_t child = ::fork();
   if (child < 0)
   {
@@ -135,7 +136,7 @@ runInChild(const std::function<std::string()> & work, const ChildLimits & limits
   {
     result.text.pop_back();
   }
-  else if (!inTime)
+  else if (!inTime || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
   {
     result.text = "over the time limit";
   }

@@ -26,7 +26,7 @@ TEST(Fuzz, SeedsAreTheSameBytesEveryTimeAndAreTaken)
     EXPECT_EQ(first[i].file.bytes, second[i].file.bytes) << first[i].format;
     MutantOptions options;
     options.mutants = 0;
-    options.pipelineEvery = 0;
+    options.pipelineEvery = 1; // of the seed
     EXPECT_TRUE(runMutants(first[i], options).findings.empty()) << first[i].format;
   }
 }
@@ -76,8 +76,15 @@ TEST(Fuzz, DeathAndHangOfAChildAreSeen)
     return "awake";
   };
   ChildLimits limits;
-  limits.seconds = 0.1;
+  limits.wallSeconds = 0.1;
   EXPECT_EQ(runInChild(hang, limits).text, "over the time limit");
+  limits = {};
+  limits.cpuSeconds = 1;
+  const auto spin = []() -> std::string {
+    for (volatile int n = 0;; n = n + 1)
+    {}
+  };
+  EXPECT_EQ(runInChild(spin, limits).text, "over the time limit");
 }
 
 TEST(Fuzz, SeedThatIsRefusedIsAFindingAndKept)

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr const char * usage =
-  "usage: moserhex_mutants [--mutants 1000] [--seed 1] [--format NAME] [--pipeline-every 100] [--seconds 10]\n"
+  "usage: moserhex_mutants [--mutants 1000] [--seed 1] [--format NAME] [--pipeline-every 100] [--cpu-seconds 10]\n"
   "                        [--mebibytes 2048] [--keep DIR]\n"
   "Runs mutants of every seed, or of those of one format. Exit status 1: there are findings.\n";
 
@@ -55,9 +55,9 @@ parse(int argc, char ** argv)
     {
       arguments.options.pipelineEvery = std::stoul(value);
     }
-    else if (name == "--seconds")
+    else if (name == "--cpu-seconds")
     {
-      arguments.options.limits.seconds = std::stod(value);
+      arguments.options.limits.cpuSeconds = static_cast<unsigned>(std::stoul(value));
     }
     else if (name == "--mebibytes")
     {

@@ -52,7 +52,7 @@ ScratchFolder::take(const std::string & name) const
 namespace
 {
 
-/** A ball of label 1 with a core of label 2 in a box of 12 x 11 x 10 voxels. */
+/** A ball in a box of 12 x 11 x 10 voxels: label 1 with a cap of label 2. */
 template <typename TPixel>
 typename itk::Image<TPixel, 3>::Pointer
 labelledBall()
@@ -75,7 +75,7 @@ labelledBall()
         const double y = 1.1 * (j - 5.0);
         const double z = 1.2 * (k - 4.5);
         const double squared = x * x + y * y + z * z;
-        *voxel++ = static_cast<TPixel>(squared < 4.0 ? 2 : squared < 18.0 ? 1 : 0);
+        *voxel++ = static_cast<TPixel>(squared >= 18.0 ? 0 : z > 2.0 ? 2 : 1);
       }
     }
   }

@@ -20,7 +20,7 @@ readVoxelisedSurface(const InputOptions & options)
   {
     throw UsageError(fileMessage(options.file, "is a surface", "--segment and --threshold are for images"));
   }
-  SurfaceFile surface = readSurface(options.file);
+  SurfaceFile surface = readSurface(options.file, { options.sandbox });
   try
   {
     const LabelVolume voxels = voxelise(surface.mesh);

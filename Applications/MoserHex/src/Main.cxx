@@ -36,7 +36,7 @@ addSolidOptions(CLI::App & command, InputOptions & options)
   command.add_option("--threshold", options.threshold, "Take the voxels of a probability map at or above this value");
   command.add_flag("!--no-sandbox",
                    options.sandbox,
-                   "Read the file in this process instead of a child with limits of memory and time");
+                   "Read files in this process instead of a child with limits of memory and time");
 }
 
 void

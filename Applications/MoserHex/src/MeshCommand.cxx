@@ -125,7 +125,7 @@ runMeshCommand(const MeshCommandOptions & userOptions)
   ScalarImage density;
   if (!options.density.empty())
   {
-    density = readScalarImage(options.density, options.input.sandbox);
+    density = readScalarImage(options.density, { options.input.sandbox });
     report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
   }
   const PipelineType::Pointer pipeline = runPipeline(solid, density.image.GetPointer(), options);

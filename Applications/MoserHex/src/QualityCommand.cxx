@@ -62,7 +62,7 @@ compare(const HexCellFile & file, const QualityCommandOptions & options, std::ve
 QualityReport
 measure(const QualityCommandOptions & options)
 {
-  const HexCellFile file = readHexCells(options.mesh);
+  const HexCellFile file = readHexCells(options.mesh, { options.labelImage.sandbox });
   QualityReport     report;
   report.file = options.mesh;
   report.nodes = file.mesh.nodes.size();

@@ -3,6 +3,7 @@
 #include "FileNames.h"
 #include "HexCellFormats.h"
 #include "ImageFileCheck.h"
+#include "MeshBytes.h"
 
 namespace moserhex
 {
@@ -14,7 +15,7 @@ isHexCellName(const std::string & fileName)
 }
 
 HexCellFile
-readHexCells(const std::string & fileName)
+readHexCells(const std::string & fileName, const ReadOptions & options)
 {
   if (!isHexCellName(fileName))
   {
@@ -34,7 +35,8 @@ readHexCells(const std::string & fileName)
   {
     return readAbaqusCells(fileName);
   }
-  return readVtkCells(fileName);
+  const auto read = [&fileName] { return readVtkCells(fileName); };
+  return options.sandbox ? inSandbox(fileName, read, hexCellFileOf) : read();
 }
 
 } // namespace moserhex

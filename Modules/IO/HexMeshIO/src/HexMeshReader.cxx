@@ -7,13 +7,13 @@ namespace moserhex
 {
 
 HexMesh
-readHexMesh(const std::string & fileName)
+readHexMesh(const std::string & fileName, const ReadOptions & options)
 {
   if (!endsWithAny(fileName, { ".vtu", ".vtk" }))
   {
     throw BadInput(ErrorCode::Usage, fileName, "not a mesh file's name", "give a .vtu or .vtk file");
   }
-  const HexCellFile file = readHexCells(fileName);
+  const HexCellFile file = readHexCells(fileName, options);
   auto              mesh = asLattice(file.mesh);
   if (!mesh)
   {

@@ -276,7 +276,9 @@ requireSame(const AtomicFile & file, const HexMesh & mesh)
   };
   try
   {
-    const HexMesh read = readHexMesh(file.partName());
+    ReadOptions options;
+    options.sandbox = false; // a file of our own, in a program that may be busy with threads
+    const HexMesh read = readHexMesh(file.partName(), options);
     if (read.nodesPerSide == mesh.nodesPerSide &&
         std::equal(mesh.nodes.begin(), mesh.nodes.end(), read.nodes.begin(), read.nodes.end(), sameBits))
     {

@@ -103,6 +103,10 @@ requireHonestCells(const std::string & fileName)
     }
     left -= points + 1;
   }
+  if (left > 0)
+  {
+    text.refuse(std::to_string(left) + " numbers too many in the list of cells");
+  }
 }
 
 } // namespace

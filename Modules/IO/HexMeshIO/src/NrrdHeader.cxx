@@ -209,6 +209,11 @@ parseNrrdHeader(const std::string & file, const std::string & text)
     {
       requireMagic(file, line);
     }
+    if (line.find('\r') != std::string::npos)
+    {
+      // The end of a line to NrrdIO, which does not survive the error message about a long rest.
+      throwHeader(file, "header line " + std::to_string(number) + " holds a carriage return");
+    }
     if (line.find('\0') != std::string::npos)
     {
       throwHeader(file, "header line " + std::to_string(number) + " is not text: no empty line ends the header");

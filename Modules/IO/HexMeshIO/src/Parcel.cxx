@@ -4,6 +4,13 @@
 
 namespace moserhex
 {
+namespace
+{
+
+constexpr std::size_t  pointBytes = 3 * sizeof(double);
+constexpr const char * tooShort = "the reader's answer is too short";
+
+} // namespace
 
 void
 ParcelWriter::put(const VoxelGrid & grid)
@@ -17,6 +24,16 @@ ParcelWriter::put(const VoxelGrid & grid)
     {
       put(grid.direction(row, axis));
     }
+  }
+}
+
+void
+ParcelWriter::put(const Positions & points)
+{
+  put(static_cast<std::uint64_t>(points.size()));
+  for (const Vector3 & point : points)
+  {
+    m_Bytes.append(reinterpret_cast<const char *>(point.data()), pointBytes);
   }
 }
 
@@ -37,16 +54,38 @@ ParcelReader::grid()
   return grid;
 }
 
+Positions
+ParcelReader::positions()
+{
+  Positions points(itemCount(pointBytes));
+  for (Vector3 & point : points)
+  {
+    m_Bytes.copy(reinterpret_cast<char *>(point.data()), pointBytes, advance(pointBytes));
+  }
+  return points;
+}
+
 std::size_t
 ParcelReader::advance(std::size_t count)
 {
   const std::size_t begin = m_Position;
   if (count > m_Bytes.size() - begin)
   {
-    throw std::out_of_range("the reader's answer is too short");
+    throw std::out_of_range(tooShort);
   }
   m_Position += count;
   return begin;
+}
+
+std::size_t
+ParcelReader::itemCount(std::size_t itemBytes)
+{
+  const auto items = number<std::uint64_t>();
+  if (items > (m_Bytes.size() - m_Position) / itemBytes)
+  {
+    throw std::out_of_range(tooShort);
+  }
+  return static_cast<std::size_t>(items);
 }
 
 } // namespace moserhex

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "moserhex/Common/Types.h"
 #include "moserhex/LevelSet/VoxelGrid.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -44,6 +46,17 @@ public:
 
   void
   put(const VoxelGrid & grid);
+
+  void
+  put(const Positions & points);
+
+  template <typename T, std::size_t width>
+  std::enable_if_t<std::is_arithmetic_v<T>>
+  put(const std::vector<std::array<T, width>> & rows)
+  {
+    put(static_cast<std::uint64_t>(rows.size()));
+    m_Bytes.append(reinterpret_cast<const char *>(rows.data()), rows.size() * sizeof(rows[0]));
+  }
 
   [[nodiscard]] std::string
   take()
@@ -93,9 +106,33 @@ public:
   [[nodiscard]] VoxelGrid
   grid();
 
+  [[nodiscard]] Positions
+  positions();
+
+  /** \tparam TRow  std::array of numbers */
+  template <typename TRow>
+  [[nodiscard]] std::vector<TRow>
+  rows()
+  {
+    std::vector<TRow> result(itemCount(sizeof(TRow)));
+    const std::size_t bytes = result.size() * sizeof(TRow);
+    m_Bytes.copy(reinterpret_cast<char *>(result.data()), bytes, advance(bytes));
+    return result;
+  }
+
+  [[nodiscard]] bool
+  atEnd() const
+  {
+    return m_Position == m_Bytes.size();
+  }
+
 private:
   std::size_t
   advance(std::size_t count);
+
+  /** The number of items of so many bytes each that follow it. */
+  std::size_t
+  itemCount(std::size_t itemBytes);
 
   const std::string & m_Bytes;
   std::size_t         m_Position;

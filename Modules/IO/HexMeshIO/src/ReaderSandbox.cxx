@@ -266,7 +266,7 @@ readUntil(int descriptor, void * bytes, std::size_t count, Clock::time_point dea
 [[noreturn]] void
 throwReaderFailed(const std::string & fileName, const std::string & cause)
 {
-  throw BadInput(ErrorCode::ReaderFailed, fileName, cause, "export the image or surface again in another format");
+  throw BadInput(ErrorCode::ReaderFailed, fileName, cause, "export it again in another format");
 }
 
 [[noreturn]] void

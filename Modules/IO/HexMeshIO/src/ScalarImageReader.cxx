@@ -62,12 +62,12 @@ unpack(const std::string & fileName, const std::string & bytes)
 } // namespace
 
 ScalarImage
-readScalarImage(const std::string & fileName, bool sandbox)
+readScalarImage(const std::string & fileName, const ReadOptions & options)
 {
   return withImageErrors(fileName, [&] {
     const NiftiLink link(fileName);
-    const auto      work = [&] { return packedValues(fileName, link.name(), sandbox); };
-    return unpack(fileName, sandbox ? runInSandbox(fileName, {}, work) : work());
+    const auto      work = [&] { return packedValues(fileName, link.name(), options.sandbox); };
+    return unpack(fileName, options.sandbox ? runInSandbox(fileName, {}, work) : work());
   });
 }
 

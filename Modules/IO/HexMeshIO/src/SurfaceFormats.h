@@ -1,6 +1,7 @@
 #pragma once
 
 #include "moserhex/Geometry/TriangleMesh.h"
+#include "moserhex/HexMeshIO/ReadOptions.h"
 
 #include <cstddef>
 #include <string>
@@ -44,6 +45,6 @@ readVtp(const std::string & fileName);
 
 /** By the name's ending. \throws BadInput as the readers, and when the file is missing or of another kind */
 [[nodiscard]] RawSurface
-readRawSurface(const std::string & fileName);
+readRawSurface(const std::string & fileName, const ReadOptions & options = {});
 
 } // namespace moserhex

@@ -2,6 +2,7 @@
 
 #include "FileNames.h"
 #include "ImageFileCheck.h"
+#include "MeshBytes.h"
 #include "SurfaceCheck.h"
 #include "SurfaceFormats.h"
 
@@ -9,7 +10,7 @@ namespace moserhex
 {
 
 RawSurface
-readRawSurface(const std::string & fileName)
+readRawSurface(const std::string & fileName, const ReadOptions & options)
 {
   if (!isSurfaceName(fileName))
   {
@@ -33,7 +34,12 @@ readRawSurface(const std::string & fileName)
   {
     return readOff(fileName);
   }
-  return endsWith(fileName, ".vtk") ? readVtk(fileName) : readVtp(fileName);
+  if (endsWith(fileName, ".vtk"))
+  {
+    return readVtk(fileName);
+  }
+  const auto read = [&fileName] { return readVtp(fileName); };
+  return options.sandbox ? inSandbox(fileName, read, rawSurfaceOf) : read();
 }
 
 bool
@@ -43,9 +49,9 @@ isSurfaceName(const std::string & fileName)
 }
 
 SurfaceFile
-readSurface(const std::string & fileName)
+readSurface(const std::string & fileName, const ReadOptions & options)
 {
-  return checkedSurface(fileName, readRawSurface(fileName));
+  return checkedSurface(fileName, readRawSurface(fileName, options));
 }
 
 } // namespace moserhex

@@ -192,6 +192,17 @@ TEST(NrrdCheck, CarriageReturnsPass)
   expectTestVoxels(readHere(folder / "a.nrrd"));
 }
 
+TEST(NrrdCheck, CarriageReturnWithinALineIsRefused)
+{
+  // To ITK's library a new line begins there: a field that is hidden from the check, or a rest that it dies of.
+  const TestFolder folder;
+  for (const std::string & rest : { std::string("encoding: gzip"), std::string(1300, 'A') })
+  {
+    writeBytes(folder / "a.nrrd", ImageText::nrrd().withLine("# comment\r" + rest).file());
+    EXPECT_EQ(codeOf(folder / "a.nrrd"), "E_HEADER") << rest.size();
+  }
+}
+
 TEST(NrrdCheck, SpacesAreTurnedIntoLps)
 {
   const TestFolder folder;

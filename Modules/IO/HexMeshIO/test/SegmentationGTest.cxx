@@ -121,7 +121,7 @@ TEST(Segmentation, LayersWithoutAChoiceAreRefusedWithTheList)
   const std::string error = errorWith(folder / "a.seg.nrrd", here);
   EXPECT_EQ(error.substr(0, 11), "E_DIMENSION");
   EXPECT_NE(error.find("1 'Prostate: all', 2 'Tumour', 3 '3'"), std::string::npos) << error;
-  EXPECT_EQ(errorOf([&] { (void)readScalarImage(folder / "a.seg.nrrd", false); }).substr(0, 11), "E_DIMENSION");
+  EXPECT_EQ(errorOf([&] { (void)readScalarImage(folder / "a.seg.nrrd", { false }); }).substr(0, 11), "E_DIMENSION");
 }
 
 TEST(Segmentation, ChoiceThatFitsNoneOrTwoIsRefused)

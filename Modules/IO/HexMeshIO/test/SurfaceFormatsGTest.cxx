@@ -1,7 +1,7 @@
 // What each format's reader takes and refuses, by code. Coordinates are binary fractions: volumes are exact.
 #include "SurfaceFormats.h"
 
-#include "RawSurfaceBytes.h"
+#include "MeshBytes.h"
 #include "TestFolder.h"
 #include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/HexMeshIO/FileErrors.h"

@@ -2,6 +2,7 @@
 
 #include "moserhex/Geometry/UnstructuredHexMesh.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/HexMeshIO/ReadOptions.h"
 
 #include <string>
 #include <vector>
@@ -30,14 +31,14 @@ isHexCellName(const std::string & fileName);
  *
  * Coordinates are taken as LPS millimetres. Node numbers may have gaps. Points, edges and faces are ignored, and so are
  * nodes without a hexahedron; the warnings count them. Node order of a cell as in VTK_HEXAHEDRON, which is that of all
- * five formats. A cut file is refused wherever the format has counts; .inp has none, and one that is cut between two
- * lines looks whole.
+ * five formats. VTK's formats are read by VTK, in a child process unless options say otherwise. A cut file is refused
+ * wherever the format has counts; .inp has none, and one that is cut between two lines looks whole.
  *
  * \throws BadInput  missing or damaged file; a count beyond what the file can hold; volume cells other than 8-node
  *                   hexahedra (names and counts); no hexahedron; a node missing, given twice or twice in one cell; a
- *                   coordinate that is not finite or beyond 1e9 mm; more than 2^31 - 1 nodes
- * \throws IOError   the file cannot be opened or read */
+ *                   coordinate that is not finite or beyond 1e9 mm; more than 2^31 - 1 nodes; the child died
+ * (ReaderFailed) \throws IOError   the file cannot be opened or read */
 [[nodiscard]] HexCellFile
-readHexCells(const std::string & fileName);
+readHexCells(const std::string & fileName, const ReadOptions & options = {});
 
 } // namespace moserhex

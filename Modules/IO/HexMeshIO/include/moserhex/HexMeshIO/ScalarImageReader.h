@@ -1,6 +1,7 @@
 #pragma once
 
 #include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/HexMeshIO/ReadOptions.h"
 
 #include <itkImage.h>
 
@@ -25,11 +26,11 @@ struct ScalarImage
  * by the same code. Values are not judged, NaN and infinity included (of NIfTI files ITK makes them 0): what counts is
  * the label (densityOnLabel).
  *
- * \param sandbox  read in a child process; see readLabelImage
+ * \param options  read in a child process or not, as with readLabelImage
  * \throws BadInput  the file is missing or damaged; not a 3-D scalar image; spacing not in [1e-3, 1e3] mm; direction
  *                   not orthonormal within 1e-3
  * \throws IOError   the file cannot be opened or read */
 [[nodiscard]] ScalarImage
-readScalarImage(const std::string & fileName, bool sandbox = true);
+readScalarImage(const std::string & fileName, const ReadOptions & options = {});
 
 } // namespace moserhex

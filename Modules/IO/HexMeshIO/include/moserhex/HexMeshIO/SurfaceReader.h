@@ -2,6 +2,7 @@
 
 #include "moserhex/Geometry/TriangleMesh.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/HexMeshIO/ReadOptions.h"
 
 #include <string>
 #include <vector>
@@ -27,13 +28,15 @@ isSurfaceName(const std::string & fileName);
  * outwards; handles (genus), cavities and self-intersections are counted and left to the voxels: inside is where the
  * winding number is not zero.
  *
+ * A .vtp is read by VTK, in a child process unless options say otherwise; all others by code of ours, here.
+ *
  * \throws BadInput  NoInput, Empty, Format, Header, Truncated, Unsupported: missing, damaged or of another kind
  * (triangle strips, concave polygons); SurfaceNaN; SurfaceIndex; Geometry: beyond 1e6 mm; SurfaceOpen;
  *                   SurfaceNonManifold: an edge of more than two triangles, not orientable; SurfaceDegenerate: without
  *                   volume; Topology: several parts, a shell in a shell of the same orientation; SurfaceIntersects: the
- *                   volume covered and the volume by orientation differ by more than 5 %
+ *                   volume covered and the volume by orientation differ by more than 5 %; ReaderFailed: the child died
  * \throws IOError   the file cannot be opened or read */
 [[nodiscard]] SurfaceFile
-readSurface(const std::string & fileName);
+readSurface(const std::string & fileName, const ReadOptions & options = {});
 
 } // namespace moserhex
