@@ -106,6 +106,10 @@ function(moserhex_add_tests)
   if(NOT arg_LABELS)
     set(arg_LABELS unit)
   endif()
+  set(sanitizer_reports "") # those of a child, too, whose end looks like that of a reader given a bad file
+  if(MoserHex_SANITIZE)
+    set(sanitizer_reports FAIL_REGULAR_EXPRESSION "Sanitizer:|runtime error:")
+  endif()
   set(executable ${arg_NAME}Tests)
   add_executable(${executable} ${arg_SOURCES})
   list(TRANSFORM arg_DEPENDS PREPEND "MoserHex::" OUTPUT_VARIABLE libraries)
@@ -113,5 +117,5 @@ function(moserhex_add_tests)
   target_compile_definitions(${executable} PRIVATE
     MOSERHEX_DEVELOPMENT_DATA="${MoserHex_DEVELOPMENT_DATA}")
   gtest_discover_tests(${executable} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${arg_NAME}.
-    PROPERTIES LABELS "${arg_NAME};${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
+    PROPERTIES LABELS "${arg_NAME};${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ${sanitizer_reports})
 endfunction()

@@ -1,5 +1,6 @@
 #include "ReaderSandbox.h"
 
+#include "moserhex/Common/InstructionSets.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <algorithm>
@@ -14,19 +15,12 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #ifdef __linux__
 #include <sys/prctl.h>
-#endif
-
-#if defined(__SANITIZE_ADDRESS__)
-#define MOSERHEX_ADDRESS_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define MOSERHEX_ADDRESS_SANITIZER
-#endif
 #endif
 
 namespace moserhex
@@ -166,6 +160,22 @@ answer(int descriptor, AnswerHead head, const std::string & text)
   }
 }
 
+/** A sanitizer's report in the child must not pass for the end of a reader that was given a bad file: the child keeps
+ * the sanitizer's signals and, unless that is a file, which it must not write, the standard error. */
+bool
+isOfSanitizer(int signalNumber)
+{
+  return MOSERHEX_INSTRUMENTED && (signalNumber == SIGSEGV || signalNumber == SIGBUS || signalNumber == SIGFPE);
+}
+
+int
+lastSilenced()
+{
+  struct stat error = {};
+  return MOSERHEX_INSTRUMENTED && ::fstat(STDERR_FILENO, &error) == 0 && !S_ISREG(error.st_mode) ? STDOUT_FILENO
+                                                                                                 : STDERR_FILENO;
+}
+
 void
 shutIn(const SandboxLimits & limits, pid_t parent)
 {
@@ -179,13 +189,17 @@ shutIn(const SandboxLimits & limits, pid_t parent)
   }
   for (int number = 1; number < 32; ++number)
   {
-    ::signal(number, SIG_DFL); // the parent's handlers are about the parent's files
+    if (!isOfSanitizer(number))
+    {
+      ::signal(number, SIG_DFL); // the parent's handlers are about the parent's files
+    }
   }
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   const int nowhere = ::open("/dev/null", O_RDWR);
-  for (int standard = 0; standard <= 2 && nowhere >= 0; ++standard)
+  const int last = lastSilenced();
+  for (int standard = STDIN_FILENO; standard <= last && nowhere >= 0; ++standard)
   {
     ::dup2(nowhere, standard);
   }
@@ -312,7 +326,7 @@ rethrow(const std::string & fileName, const AnswerHead & head, const std::string
 void
 allowSandboxMemory(std::uint64_t bytes)
 {
-#ifdef MOSERHEX_SHADOW_MEMORY
+#if MOSERHEX_INSTRUMENTED
   (void)bytes; // a sanitizer's shadow memory takes terabytes of addresses
 #else
   std::uint64_t pages = 0;
