@@ -296,7 +296,7 @@ TEST(TopologyRepair, MoreThanAllowedIsRefusedWithTheNumbers)
   const auto  message = analytic::messageOf([&] { (void)repairTopology(label, options); });
   std::size_t at = 0;
   EXPECT_EQ(message.find("label 3: 1 handle, V-E+F = 0, need 2 (genus 0); a repair changes >= "), 0u) << message;
-  EXPECT_NEAR(std::stod(message.substr(message.find("change ") + 7), &at), 100.0 * needed.changedFraction(), 0.01);
+  EXPECT_NEAR(std::stod(message.substr(message.find(">= ") + 3), &at), 100.0 * needed.changedFraction(), 0.01);
   EXPECT_NE(message.find(" % of it, limit 0.1 %"), std::string::npos) << message;
   options.maximumChange = needed.changedFraction();
   EXPECT_EQ(repairTopology(label, options).report.voxelsRemoved, needed.voxelsRemoved);

@@ -141,19 +141,24 @@ struct Prospect
   }
 };
 
+[[noreturn]] void
+refuseShape(std::size_t uncertifiedCells, double cells, const std::string & lattice)
+{
+  std::ostringstream text;
+  text << "too thin, bent or sharp for a cube's lattice: in the best of all frames " << uncertifiedCells << " of "
+       << cells << " cells" << lattice << " are not positive";
+  throw NotConverged(ErrorCode::Shape, text.str(), {});
+}
+
 /** Gives up where even the best of all frames is far from a mesh on a coarse lattice. */
 void
 requireProspects(const ExactStage & stage, const Prospect & best, int nodesPerSide)
 {
   const double cells = std::pow(nodesPerSide - 1, 3);
-  if (stage.options.allowPartial || static_cast<double>(best.uncertifiedCells) <= hopelessFraction * cells)
+  if (!stage.options.allowPartial && static_cast<double>(best.uncertifiedCells) > hopelessFraction * cells)
   {
-    return;
+    refuseShape(best.uncertifiedCells, cells, " of a coarse one");
   }
-  std::ostringstream text;
-  text << "too thin, bent or sharp for a cube's lattice: in the best of all frames " << best.uncertifiedCells << " of "
-       << cells << " cells of a coarse one are not positive";
-  throw NotConverged(ErrorCode::Shape, text.str(), {});
 }
 
 /** Sorts turns by the meshes they lead to on a coarse lattice, best first, and keeps the best. */
@@ -234,7 +239,12 @@ tryTurnedFrames(const ExactStage & stage, SolidMeshingResult & result, const Pro
   {
     workOut(turns[t], t, hopelessCells(2 * options.shells, result.equalisation->exact));
   }
-  if (options.allowPartial && wasGivenUp && !result.equalisation->exact)
+  const EqualisationResult & best = *result.equalisation;
+  if (!options.allowPartial && isGivenUp(best))
+  {
+    refuseShape(best.uncertifiedCells, static_cast<double>(result.mesh.cellCount()), "");
+  }
+  if (options.allowPartial && wasGivenUp && !best.exact)
   {
     workOut(Matrix3::Identity(), turns.size(), equalisationOptions(options).hopelessCells);
   }
