@@ -34,9 +34,8 @@ addSolidOptions(CLI::App & command, InputOptions & options)
   command.add_option("--label", options.label, "Label to take; without it all labels together");
   command.add_option("--segment", options.segment, "Segment of a .seg.nrrd, by name, ID or number from 1");
   command.add_option("--threshold", options.threshold, "Take the voxels of a probability map at or above this value");
-  command.add_flag("!--no-sandbox",
-                   options.sandbox,
-                   "Read files in this process instead of a child with limits of memory and time");
+  command.add_flag(
+    "!--no-sandbox", options.sandbox, "Read files in this process instead of a child with limits of memory and time");
 }
 
 void

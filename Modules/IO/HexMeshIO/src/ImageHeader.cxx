@@ -66,9 +66,11 @@ throwHeader(const std::string & file, const std::string & cause)
 std::string
 beginningOf(const std::string & file, std::size_t bytes)
 {
-  std::ifstream stream(file, std::ios::binary);
-  std::string   result(bytes, '\0');
-  stream.read(result.data(), static_cast<std::streamsize>(bytes));
+  std::ifstream   stream(file, std::ios::binary);
+  std::error_code unknownSize;
+  const auto      present = fs::file_size(file, unknownSize);
+  std::string     result(unknownSize ? bytes : std::min<std::uintmax_t>(bytes, present), '\0');
+  stream.read(result.data(), static_cast<std::streamsize>(result.size()));
   if (stream.bad() || !stream.is_open())
   {
     throw IOError(ErrorCode::InputOutput,

@@ -2,6 +2,7 @@
 #include "../src/MeshBytes.h"
 
 #include "TestFolder.h"
+#include "moserhex/Analytic/Lattices.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/SurfaceReader.h"
@@ -14,6 +15,7 @@
 #include <pthread.h>
 
 using namespace moserhex;
+using namespace moserhex::analytic;
 
 namespace
 {
@@ -31,28 +33,10 @@ forksOf(const std::function<void()> & call)
   return forks;
 }
 
-HexMesh
-cubes(int nodesPerSide)
-{
-  HexMesh mesh;
-  mesh.nodesPerSide = nodesPerSide;
-  for (int k = 0; k < nodesPerSide; ++k)
-  {
-    for (int j = 0; j < nodesPerSide; ++j)
-    {
-      for (int i = 0; i < nodesPerSide; ++i)
-      {
-        mesh.nodes.emplace_back(i, j, 0.1 * k);
-      }
-    }
-  }
-  return mesh;
-}
-
 HexCellFile
 hexahedra()
 {
-  return { unstructured(cubes(3)), { "a warning", "another" } };
+  return { unstructured(cubeLattice(3)), { "a warning", "another" } };
 }
 
 ErrorCode
@@ -128,18 +112,18 @@ TEST(MeshSandbox, ChangesNothing)
   const TestFolder folder;
   for (const char * name : { "a.vtu", "a.vtk" })
   {
-    writeHexMesh(folder / name, cubes(4), {});
+    writeHexMesh(folder / name, cubeLattice(4), {});
     const HexCellFile there = readHexCells(folder / name);
     EXPECT_EQ(there.mesh.nodes, readHexCells(folder / name, here).mesh.nodes) << name;
     EXPECT_EQ(there.mesh.cells, readHexCells(folder / name, here).mesh.cells) << name;
-    EXPECT_EQ(there.mesh.nodes, cubes(4).nodes) << name;
+    EXPECT_EQ(there.mesh.nodes, cubeLattice(4).nodes) << name;
   }
 }
 
 TEST(MeshSandbox, OnlyWhatVtkReadsIsReadInAChild)
 {
   const TestFolder folder;
-  writeHexMesh(folder / "a.vtu", cubes(2), {});
+  writeHexMesh(folder / "a.vtu", cubeLattice(2), {});
   EXPECT_EQ(forksOf([&] { (void)readHexCells(folder / "a.vtu"); }), 1);
   EXPECT_EQ(forksOf([&] { (void)readHexMesh(folder / "a.vtu"); }), 1);
   EXPECT_EQ(forksOf([&] { (void)readHexMesh(folder / "a.vtu", here); }), 0);
@@ -152,7 +136,7 @@ TEST(MeshSandbox, WriterReadsItsFileBackWithoutAChild)
   const TestFolder folder;
   for (const char * name : { "a.vtu", "a.vtk" })
   {
-    EXPECT_EQ(forksOf([&] { writeHexMesh(folder / name, cubes(3), {}); }), 0) << name;
+    EXPECT_EQ(forksOf([&] { writeHexMesh(folder / name, cubeLattice(3), {}); }), 0) << name;
   }
 }
 
