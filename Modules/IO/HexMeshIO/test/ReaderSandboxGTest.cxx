@@ -133,7 +133,7 @@ TEST(ReaderSandbox, SpinningEndsAtTheLimitOfCpuTime)
   limits.cpuSeconds = 1;
   const std::string error = failureOf(
     []() -> std::string {
-      for (volatile int n = 0;; n = n + 1)
+      for (volatile unsigned int n = 0;; n = n + 1)
       {}
     },
     limits);
@@ -223,6 +223,10 @@ TEST(ReaderSandbox, ClosedStandardStreamsAreNoMatter)
 
 TEST(ReaderSandbox, NoDescriptorLeftIsAnErrorOfTheSystem)
 {
+  if constexpr (MOSERHEX_INSTRUMENTED)
+  {
+    GTEST_SKIP() << "a sanitizer opens a pipe to look at the error";
+  }
   struct rlimit before = {};
   ::getrlimit(RLIMIT_NOFILE, &before);
   const struct rlimit none = { 0, before.rlim_max };
