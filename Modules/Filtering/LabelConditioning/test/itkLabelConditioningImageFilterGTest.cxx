@@ -137,7 +137,7 @@ TEST(LabelConditioningImageFilter, RepairIsReportedAndNotMoreThanAllowed)
   EXPECT_EQ(static_cast<double>(moserhex::voxelCount(filter->GetRepairedLabel())) * 3.0, filter->GetLabelVolume());
   filter->SetMaximumRepair(0.0);
   EXPECT_EQ(filter->GetMaximumRepair(), 0.0);
-  EXPECT_EQ(messageOf(filter).substr(0, 72), "label 3: 1 cavity, V-E+F = 4, need 2 (genus 0); a repair changes >= ");
+  EXPECT_EQ(messageOf(filter).find("label 3: 1 cavity, V-E+F = 4, need 2 (genus 0); a repair changes >= "), 0u);
 }
 
 TEST(LabelConditioningImageFilter, AbsentLabelIsRefusedWithTheLabelsPresent)
