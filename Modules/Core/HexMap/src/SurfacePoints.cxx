@@ -186,7 +186,9 @@ surfacePoints(const Positions &      around,
   {
     if (growth == largestNumberOfGrowths)
     {
-      throw InvalidInput("equalisation: the surface is not closed: the solid goes on far outside the lattice");
+      throw InvalidInput(
+        ErrorCode::Shape,
+        "equalisation: the surface is not closed around the start: the solid goes on far outside the lattice");
     }
     box.sample(phi, threads);
   }

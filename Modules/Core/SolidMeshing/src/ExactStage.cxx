@@ -264,11 +264,18 @@ trySmootherSolid(const ExactStage &          stage,
     return;
   }
   const CubicInterpolator phi(*smoother);
-  EqualisationResult      equalised = equaliseVolumes(start, signedDistance(phi), stage.volume, options, progress);
-  if (equalised.exact)
+  try
   {
-    keep(std::move(equalised), result);
-    result.smootherSolid = std::move(smoother);
+    EqualisationResult equalised = equaliseVolumes(start, signedDistance(phi), stage.volume, options, progress);
+    if (equalised.exact)
+    {
+      keep(std::move(equalised), result);
+      result.smootherSolid = std::move(smoother);
+    }
+  }
+  catch (const InvalidInput &)
+  {
+    // The start lies too far from the smoother surface: an attempt that failed, as one that is not exact.
   }
 }
 

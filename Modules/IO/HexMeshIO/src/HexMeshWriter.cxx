@@ -223,11 +223,11 @@ runWriter(TWriter & writer, const std::string & finalName)
   const auto        code = writer.GetErrorCode();
   if (succeeded == 0 || code != 0 || !messages.firstError().empty())
   {
-    // Codes below VTK's own are those of errno.
-    const std::string reason = code != 0 && code < vtkErrorCode::FirstVTKErrorCode
-                                 ? std::strerror(static_cast<int>(code))
-                                 : "VTK error " + std::to_string(code);
-    const std::string detail = messages.firstError().empty() ? reason : messages.firstError();
+    // Codes below VTK's own are those of errno, and say more than VTK's messages.
+    const bool        isErrno = code != 0 && code < vtkErrorCode::FirstVTKErrorCode;
+    const std::string words =
+      messages.firstError().empty() ? "VTK error " + std::to_string(code) : messages.firstError();
+    const std::string detail = isErrno ? std::strerror(static_cast<int>(code)) : words;
     throw IOError(ErrorCode::InputOutput,
                   finalName,
                   "cannot write the mesh (" + detail + ")",
