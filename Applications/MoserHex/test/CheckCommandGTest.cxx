@@ -15,21 +15,12 @@ namespace
 class CheckCommand : public CommandTest
 {
 protected:
-  /** Voxels [2,18)^3 of 20^3 with a tunnel of 2 x 2 voxels along k, and a voxel by itself. */
+  /** A cube with a tunnel, and a voxel by itself in the first corner of the image. */
   void
   writeCubeWithTunnel() const
   {
-    LabelVolume label;
-    label.size = { { 20, 20, 20 } };
-    for (int voxel = 0; voxel < 20 * 20 * 20; ++voxel)
-    {
-      const int  i = voxel % 20;
-      const int  j = voxel / 20 % 20;
-      const int  k = voxel / 400;
-      const bool isInCube = std::min({ i, j, k }) >= 2 && std::max({ i, j, k }) < 18;
-      const bool isInTunnel = (i == 9 || i == 10) && (j == 9 || j == 10);
-      label.inside.push_back((isInCube && !isInTunnel) || voxel == 0 ? 1 : 0);
-    }
+    LabelVolume label = cubeWithTunnel();
+    label.inside.front() = 1;
     writeLabelImage(path("tunnel.nrrd"), label);
   }
 };
@@ -79,14 +70,14 @@ TEST_F(CheckCommand, JsonHoldsTheNumbers)
   writeCubeWithTunnel();
   ASSERT_EQ(run({ "check", path("tunnel.nrrd"), "--json", path("c.json"), "--quiet" }).exitCode, 0);
   const auto label = nlohmann::json::parse(contentOf(path("c.json")))["labels"][0];
-  EXPECT_EQ(label["voxels"], 16 * 16 * 16 - 4 * 16 + 1);
+  EXPECT_EQ(label["voxels"], 16 * 16 * 16 - 16 + 1);
   EXPECT_EQ(label["topology"]["components"], 2);
   EXPECT_EQ(label["topology"]["handles"], 1);
-  EXPECT_EQ(label["component_voxels"], (std::vector<int>{ 16 * 16 * 16 - 4 * 16, 1 }));
+  EXPECT_EQ(label["component_voxels"], (std::vector<int>{ 16 * 16 * 16 - 16, 1 }));
   EXPECT_FALSE(label["ball"].get<bool>());
   EXPECT_TRUE(label["repair"]["possible"].get<bool>());
   EXPECT_EQ(label["repair"]["voxels_removed"], 1);
-  EXPECT_GE(label["repair"]["voxels_added"].get<int>(), 4);
+  EXPECT_GE(label["repair"]["voxels_added"].get<int>(), 1);
 }
 
 TEST_F(CheckCommand, ContradictingOptionsAreWrongUsage)

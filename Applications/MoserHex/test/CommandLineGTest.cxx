@@ -29,23 +29,6 @@ namespace
 class CommandLine : public CommandTest
 {};
 
-/** Voxels [2,18)^3 of 20^3 with a tunnel of one voxel along k. */
-LabelVolume
-cubeWithTunnel()
-{
-  LabelVolume label;
-  label.size = { { 20, 20, 20 } };
-  for (int voxel = 0; voxel < 20 * 20 * 20; ++voxel)
-  {
-    const int  i = voxel % 20;
-    const int  j = voxel / 20 % 20;
-    const int  k = voxel / 400;
-    const bool isInCube = std::min({ i, j, k }) >= 2 && std::max({ i, j, k }) < 18;
-    label.inside.push_back(isInCube && !(i == 9 && j == 9) ? 1 : 0);
-  }
-  return label;
-}
-
 } // namespace
 
 TEST_F(CommandLine, VersionNamesTheProgramAndItsLibraries)

@@ -80,6 +80,22 @@ expectErrorCode(const Outcome & outcome, const std::string & code)
   EXPECT_NE(outcome.error.find(" [" + code + "]\n"), std::string::npos) << outcome.error;
 }
 
+LabelVolume
+cubeWithTunnel()
+{
+  LabelVolume label;
+  label.size = { { 20, 20, 20 } };
+  for (int voxel = 0; voxel < 20 * 20 * 20; ++voxel)
+  {
+    const int  i = voxel % 20;
+    const int  j = voxel / 20 % 20;
+    const int  k = voxel / 400;
+    const bool isInCube = std::min({ i, j, k }) >= 2 && std::max({ i, j, k }) < 18;
+    label.inside.push_back(isInCube && !(i == 9 && j == 9) ? 1 : 0);
+  }
+  return label;
+}
+
 void
 CommandTest::SetUp()
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "moserhex/LevelSet/LabelVolume.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -41,6 +43,10 @@ expectOneLineError(const Outcome & outcome, int exitCode);
 /** The same with a certain code at the end. */
 void
 expectErrorCode(const Outcome & outcome, const std::string & code);
+
+/** Voxels [2,18)^3 of 20^3 with a tunnel of one voxel along k. */
+[[nodiscard]] LabelVolume
+cubeWithTunnel();
 
 /** A folder for the streams, another for the files of a test, and the sample prostate. */
 class CommandTest : public testing::Test
