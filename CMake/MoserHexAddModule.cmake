@@ -109,6 +109,7 @@ function(moserhex_add_tests)
   set(sanitizer_reports "") # those of a child, too, whose end looks like that of a reader given a bad file
   if(MoserHex_SANITIZE)
     set(sanitizer_reports FAIL_REGULAR_EXPRESSION "Sanitizer:|runtime error:")
+    math(EXPR arg_TIMEOUT "4 * ${arg_TIMEOUT}")
   endif()
   set(executable ${arg_NAME}Tests)
   add_executable(${executable} ${arg_SOURCES})
