@@ -184,10 +184,9 @@ requireValid(const TopologyRepairOptions & options)
 refuse(const TopologyRepairReport & report, const TooMuch & tooMuch, const TopologyRepairOptions & options)
 {
   std::ostringstream message;
-  message << std::setprecision(3) << options.labelName << ": " << describe(report.before)
-          << "; a repair changes >= "
-          << 100.0 * static_cast<double>(tooMuch.voxels) / static_cast<double>(report.labelVoxels)
-          << " % of it, limit " << 100.0 * options.maximumChange << " %";
+  message << std::setprecision(3) << options.labelName << ": " << describe(report.before) << "; a repair changes >= "
+          << 100.0 * static_cast<double>(tooMuch.voxels) / static_cast<double>(report.labelVoxels) << " % of it, limit "
+          << 100.0 * options.maximumChange << " %";
   throw InvalidInput(ErrorCode::Topology, message.str());
 }
 
