@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 using namespace moserhex;
 using namespace moserhex::integration;
@@ -80,6 +82,8 @@ TEST(HardShapes, AHoleNarrowerThanTheCellsIsSmoothedAwayInTheLabelsOwnFrame)
   EXPECT_GE(pipeline->GetConditioningReport().dice, 0.98);
   EXPECT_NEAR(qualityAfter(*pipeline, "exact").volume / pipeline->GetLabelVolume(), 1.0, 1e-9);
   EXPECT_NE(pipeline->GetStages().front().note.find("details are narrower than cells"), std::string::npos);
+  EXPECT_EQ(result.attempts, (std::vector<std::string>{ "own frame: not exact", "smoother solid: exact" }));
+  EXPECT_NE(pipeline->GetStages().back().note.find("own frame: not exact; smoother solid: exact"), std::string::npos);
 }
 
 TEST(HardShapes, ASolidThatIsExactAsItIsIsNotSmoothedMore)
@@ -88,6 +92,7 @@ TEST(HardShapes, ASolidThatIsExactAsItIsIsNotSmoothedMore)
     exactMeshOf(cubicLabel([](const Eigen::Vector3i & v) { return isInCube(v, 3, 28); }));
   EXPECT_FALSE(pipeline->GetResult().smootherSolid.has_value());
   EXPECT_EQ(pipeline->GetStages().front().note, "");
+  EXPECT_EQ(pipeline->GetResult().attempts, std::vector<std::string>{ "own frame: exact" });
 }
 
 TEST(HardShapes, ADumbbellWithANeckOfOneVoxelIsRefusedWithTheNumbersOfACoarseLattice)

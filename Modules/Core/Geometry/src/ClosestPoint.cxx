@@ -94,12 +94,26 @@ ClosestPointSearch &
 ClosestPointSearch::operator=(ClosestPointSearch &&) noexcept = default;
 
 ClosestPointOnSurface
-ClosestPointSearch::closest(const Vector3 & p) const
+ClosestPointSearch::closest(const Vector3 & p, int guess) const
 {
   const TriangleBoxTree & tree = m_Implementation->tree;
   const auto &            nodes = tree.nodes();
   ClosestPointOnSurface   best;
   best.squaredDistance = std::numeric_limits<double>::infinity();
+  const auto look = [&](int triangle) {
+    const auto &                 corners = tree.corners(triangle);
+    const ClosestPointOnTriangle candidate = closestPointOnTriangle(p, corners[0], corners[1], corners[2]);
+    if (candidate.squaredDistance < best.squaredDistance ||
+        (candidate.squaredDistance == best.squaredDistance && triangle < best.triangle))
+    {
+      static_cast<ClosestPointOnTriangle &>(best) = candidate;
+      best.triangle = triangle;
+    }
+  };
+  if (guess >= 0)
+  {
+    look(guess);
+  }
 
   // Depth first, nearer child first. Median splits keep the depth below 1 + log2(nF), so 64 entries suffice.
   std::array<std::pair<double, int>, 64> stack;
@@ -124,15 +138,7 @@ ClosestPointSearch::closest(const Vector3 & p) const
     }
     for (int i = node.first; i < node.first + node.count; ++i)
     {
-      const int                    triangle = tree.order()[i];
-      const auto &                 corners = tree.corners(triangle);
-      const ClosestPointOnTriangle candidate = closestPointOnTriangle(p, corners[0], corners[1], corners[2]);
-      if (candidate.squaredDistance < best.squaredDistance ||
-          (candidate.squaredDistance == best.squaredDistance && triangle < best.triangle))
-      {
-        static_cast<ClosestPointOnTriangle &>(best) = candidate;
-        best.triangle = triangle;
-      }
+      look(tree.order()[i]);
     }
   }
   return best;

@@ -117,6 +117,9 @@ TEST(ClosestPointSearch, FindsWhatAScanOverAllTrianglesFinds)
     const ClosestPointOnSurface found = search.closest(p);
     EXPECT_EQ(found.squaredDistance, nearest) << "point " << i << " of seed 11";
     EXPECT_EQ(found.triangle, triangle);
+    const ClosestPointOnSurface guessed = search.closest(p, i); // mostly far away
+    EXPECT_EQ(guessed.squaredDistance, nearest) << "guess " << i;
+    EXPECT_EQ(guessed.triangle, triangle);
   }
 }
 
@@ -126,6 +129,7 @@ TEST(ClosestPointSearch, TheSmallestNumberWinsAmongEqualTriangles)
   mesh.vertices = { a, b, c };
   mesh.triangles.assign(40, { 0, 1, 2 });
   EXPECT_EQ(ClosestPointSearch(mesh).closest({ 0.3, 0.3, 1 }).triangle, 0);
+  EXPECT_EQ(ClosestPointSearch(mesh).closest({ 0.3, 0.3, 1 }, 17).triangle, 0);
 }
 
 TEST(ClosestPointSearch, EmptySurfaceIsRefused)

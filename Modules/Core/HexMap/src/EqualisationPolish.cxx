@@ -17,8 +17,11 @@ constexpr double lowestGoal = 0.06;
 constexpr double highestGoal = 0.23;
 /** Cells up to this many times the goal are held as well, lest they pay for the others. */
 constexpr double watchedPartOfGoal = 1.3;
-/** Where a round leads too far, its first half is tried, and so on down to this part. */
+/** Where a round leads too far, its first half is tried, and so on down to this part; the next round begins with twice
+ * the part that did well. */
 constexpr double smallestPart = 0.125;
+/** Newton steps of a projection. A mesh that needs more is too far from equal for its corners to survive. */
+constexpr int    projectionSteps = 6;
 constexpr double weight = 100.0;
 /** Few steps: the mesh is good already but for some corners, and only these are to move. */
 constexpr EqualisationStage stage{ 0.02, 1000.0, 80.0, 10, 1 };
@@ -90,6 +93,7 @@ Equaliser::polish(const ProgressCallback & progress)
   }
   EqualisedLattice::State kept = m_Lattice.state();
   bool                    isRising = true;
+  double                  firstPart = 1.0;
   for (std::size_t round = 0; round < rounds && isRising; ++round)
   {
     const ProgressCallback ofRound = progressOfPart(progress, round, rounds);
@@ -99,16 +103,17 @@ Equaliser::polish(const ProgressCallback & progress)
     }
     const EqualisedLattice::State polished = m_Lattice.state();
     isRising = false;
-    for (double part = 1.0; part >= smallestPart && !isRising; part *= 0.5)
+    for (double part = firstPart; part >= smallestPart && !isRising; part *= 0.5)
     {
       m_Lattice.setState(between(kept, polished, part));
       const EqualisationFlaws present =
-        project(optimiser, progressBetween(ofRound, 1.0 - 0.5 * part, 1.0 - 0.25 * part));
+        project(optimiser, progressBetween(ofRound, 1.0 - 0.5 * part, 1.0 - 0.25 * part), projectionSteps);
       isRising = present.scaledJacobian > fewest.scaledJacobian && present.fewerThan(fewest, best);
       if (isRising)
       {
         fewest = present;
         kept = m_Lattice.state();
+        firstPart = std::min(1.0, 2.0 * part);
       }
     }
   }

@@ -113,12 +113,13 @@ Equaliser::settle(EqualisationStage stage, double goal, const ProgressCallback &
 }
 
 EqualisationFlaws
-Equaliser::project(LatticeOptimiser & optimiser, const ProgressCallback & progress)
+Equaliser::project(LatticeOptimiser & optimiser, const ProgressCallback & progress, int maximumSteps)
 {
   const EqualisationProblem & problem = m_Lattice.problem();
   const Stopwatch             stopwatch;
   EqualMeasureOptions         options = problem.options.projection;
   options.threads = problem.options.threads;
+  options.maximumSteps = std::min(options.maximumSteps, maximumSteps);
   EqualMeasureResult result =
     projectOntoEqualMeasure(m_Lattice.mesh(), problem.measure, m_Lattice.target(), problem.phi, options, progress);
   m_Lattice.setMesh(std::move(result.mesh));
@@ -135,11 +136,16 @@ Equaliser::project(LatticeOptimiser & optimiser, const ProgressCallback & progre
 void
 Equaliser::finish(const EqualisationStage & lastStage, const ProgressCallback & progress)
 {
-  if (m_Lattice.uncertifiedCells() > m_Lattice.problem().options.hopelessCells)
+  const auto isHopeless = [this] { return m_Lattice.uncertifiedCells() > m_Lattice.problem().options.hopelessCells; };
+  if (isHopeless())
   {
     return;
   }
   settle(lastStage, roughDeviation, progressBetween(progress, 0.0, 0.2));
+  if (isHopeless())
+  {
+    return;
+  }
   const FlawLimits        limits = m_Lattice.flawLimits();
   EqualisationFlaws       first;
   EqualisedLattice::State projected;

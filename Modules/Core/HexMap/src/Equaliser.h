@@ -4,6 +4,7 @@
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/HexMap/VolumeEqualisation.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,9 +61,12 @@ private:
   void
   settle(EqualisationStage stage, double goal, const ProgressCallback & progress);
 
-  /** Onto equal measures. Returns the flaws of the mesh after it. */
+  /** Onto equal measures. Returns the flaws of the mesh after it.
+   * \param maximumSteps  of Newton's method, at most as many as the options allow */
   EqualisationFlaws
-  project(LatticeOptimiser & optimiser, const ProgressCallback & progress);
+  project(LatticeOptimiser &       optimiser,
+          const ProgressCallback & progress,
+          int                      maximumSteps = std::numeric_limits<int>::max());
 
   /** Pushes doubtful cells open and pulls what is off the surface harder, in rounds. Projects again when nothing is
    * left to repair, when a round did not help, and in the end; keeps the best projected mesh and returns its flaws.

@@ -54,10 +54,12 @@ SurfaceCoverage::associate(const Eigen::VectorXd & x)
   }
   const ClosestPointSearch           search(boundary);
   std::vector<ClosestPointOnSurface> nearest(m_SurfacePoints.size());
+  m_Nearest.resize(nearest.size(), -1);
   parallelForBlocks(nearest.size(), pointsPerBlock, m_Threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
     {
-      nearest[p] = search.closest(m_SurfacePoints[p]);
+      nearest[p] = search.closest(m_SurfacePoints[p], m_Nearest[p]);
+      m_Nearest[p] = nearest[p].triangle;
     }
   });
   m_Springs.clear();

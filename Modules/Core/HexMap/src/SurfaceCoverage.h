@@ -61,6 +61,7 @@ private:
   unsigned int                            m_Threads;
   std::vector<std::array<std::size_t, 4>> m_Quads;
   std::vector<double>                     m_Distances;
+  std::vector<int>                        m_Nearest; ///< triangle of the boundary, by surface point; -1: not yet known
   std::vector<double>                     m_Stiffness; ///< k
   std::vector<Spring>                     m_Springs;   ///< of points farther away than half of d
 };

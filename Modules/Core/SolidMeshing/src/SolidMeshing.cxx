@@ -284,6 +284,13 @@ private:
     note << m_Result.equalisation->report.steps << " steps, "
          << (m_Result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified")
          << (m_Result.smootherSolid ? ", of a smoother solid" : "");
+    if (m_Result.attempts.size() > 1)
+    {
+      for (const std::string & attempt : m_Result.attempts)
+      {
+        note << "; " << attempt;
+      }
+    }
     m_Log.add("exact", m_Result.mesh, note.str());
     if (!m_Result.turnWarning.empty())
     {

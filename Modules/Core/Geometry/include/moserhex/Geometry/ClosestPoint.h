@@ -38,8 +38,10 @@ public:
   ClosestPointSearch &
   operator=(ClosestPointSearch &&) noexcept;
 
+  /** \param guess  a triangle that may be near, which shortens the search; the answer does not depend on it. Negative:
+   * none. */
   [[nodiscard]] ClosestPointOnSurface
-  closest(const Vector3 & p) const;
+  closest(const Vector3 & p, int guess = -1) const;
 
 private:
   struct Implementation;

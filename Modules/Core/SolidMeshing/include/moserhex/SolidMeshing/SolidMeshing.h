@@ -118,6 +118,7 @@ struct SolidMeshingResult
   std::optional<FramePlacementResult>  frame;         ///< of LatticeFrame::Ridge
   std::optional<LevelSet>              smootherSolid; ///< the solid that was meshed when it is not phi
   std::string                          turnWarning;   ///< which of the fallback turns was used; empty: none
+  std::vector<std::string>             attempts;      ///< of stage J, in order, and what came of each
   std::optional<MassReport>            mass;          ///< with a density
   std::optional<EqualisationResult>    equalisation;  ///< stage J; its mesh is emptied
   std::vector<std::string>             warnings;
