@@ -95,6 +95,20 @@ TEST(HardShapes, ASolidThatIsExactAsItIsIsNotSmoothedMore)
   EXPECT_EQ(pipeline->GetResult().attempts, std::vector<std::string>{ "own frame: exact" });
 }
 
+TEST(HardShapes, ALesionOnOneSliceIsMeshed)
+{
+  LabelVolume label = cubicLabel([](const Eigen::Vector3i & v) {
+    const double x = (v[0] - 16) / 6.0;
+    const double y = (v[1] - 16) / 5.0;
+    return v[2] == 16 && x * x + y * y <= 1.0;
+  });
+  label.spacing = { 0.5, 0.5, 3.0 };
+  const Pipeline::Pointer pipeline = exactMeshOf(label);
+  EXPECT_TRUE(pipeline->GetResult().equalisation->exact);
+  EXPECT_GE(pipeline->GetConditioningReport().dice, 0.8);
+  EXPECT_NEAR(qualityAfter(*pipeline, "exact").volume / pipeline->GetLabelVolume(), 1.0, 1e-9);
+}
+
 TEST(HardShapes, ADumbbellWithANeckOfOneVoxelIsRefusedWithTheNumbersOfACoarseLattice)
 {
   try

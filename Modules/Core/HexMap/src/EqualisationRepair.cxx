@@ -18,8 +18,8 @@ constexpr double            weightGrowth = 2.0;
 constexpr double            marginGrowth = 1.3;
 constexpr double            largestMargin = 0.15;
 constexpr EqualisationStage firstStage{ 0.02, 1000.0, 80.0, 60, 1 };
-/** After so many useless rounds in a row the repair is over. */
-constexpr int    patience = 3;
+/** After so many projections in a row that led to nothing better the repair is over. */
+constexpr int    patience = 2;
 constexpr double springGrowthOfTangled = 2.0; // lest springs outgrow the barrier of cells that are not yet positive
 
 /** The cells that have been doubtful once. */
@@ -72,8 +72,8 @@ Equaliser::repair(LatticeOptimiser & optimiser, EqualisationFlaws present, const
   EqualisationStage       stage = firstStage;
   double                  margin = options.repairMargin;
   double                  weight = firstWeight;
-  int                     uselessRounds = 0;
-  for (std::size_t round = 0; round < rounds && uselessRounds < patience && !present.none(limits); ++round)
+  int                     uselessProjections = 0;
+  for (std::size_t round = 0; round < rounds && uselessProjections < patience && !present.none(limits); ++round)
   {
     const Stopwatch         stopwatch;
     const ProgressCallback  ofRound = progressOfPart(progress, round, rounds);
@@ -93,13 +93,13 @@ Equaliser::repair(LatticeOptimiser & optimiser, EqualisationFlaws present, const
     if (present.none(limits) || !present.worthwhileAfter(before, limits) || round + 1 == rounds)
     {
       present = project(optimiser, progressBetween(ofRound, 0.5, 1.0));
+      uselessProjections = present.worthwhileAfter(fewest, limits) ? 0 : uselessProjections + 1;
       if (present.fewerThan(fewest, limits))
       {
         fewest = present;
         best = m_Lattice.state();
       }
     }
-    uselessRounds = present.worthwhileAfter(before, limits) ? 0 : uselessRounds + 1;
     margin = std::min(marginGrowth * margin, largestMargin);
     weight *= weightGrowth;
   }

@@ -20,7 +20,8 @@ namespace moserhex
 namespace
 {
 
-constexpr double marginInNodes = 5.0;
+constexpr double marginInNodes = 5.0; ///< at least
+constexpr double marginInSigmas = 3.0;
 constexpr double smallestSigmaInNodes = 0.7;
 constexpr double largestSigmaOfThinLabels = 0.15; ///< of V^(1/3)
 constexpr double repairRadiusInSigmas = 2.5;      ///< a cylinder of 1.25 sigma vanishes
@@ -229,7 +230,7 @@ smoothShape(const LabelVolume &         ball,
             const ConditioningOptions & options,
             const ConditioningReport &  report)
 {
-  const double      margin = marginInNodes * spacing;
+  const double      margin = std::max(marginInNodes, std::ceil(marginInSigmas * report.sigma / spacing)) * spacing;
   const LabelVolume padded = cropAndPad(ball, voxelsForMargin(ball.spacing, margin));
   const RegularGrid grid = detail::gridAround(ball, spacing, margin);
   requireValid(grid, options.labelName);

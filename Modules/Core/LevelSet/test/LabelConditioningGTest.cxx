@@ -339,6 +339,25 @@ TEST(LabelConditioning, VerySmallAndThinLabelsWorkOrAreRefusedAsThin)
   expectSolidOrThin(neck, "neck of one voxel");
 }
 
+TEST(LabelConditioning, TheGridReachesBeyondTheSmoothingOfAPlate)
+{
+  // One slice: sigma is many spacings of the grid that resolves the plate.
+  const LabelVolume      plate = labelOf({ { 15, 13, 3 } }, { 0.5, 0.5, 3.0 }, [](const Vector3 & p) {
+    return std::max(std::hypot(p.x() / 3.2, p.y() / 2.4) - 1.0, std::abs(p.z()) - 1.5);
+  });
+  const ConditionedSolid solid = conditionLabel(plate);
+  const LevelSet &       phi = solid.levelSet;
+  ASSERT_GT(solid.report.sigma, 3.0 * phi.grid.spacing);
+  for (std::size_t node = 0; node < phi.values.size(); ++node)
+  {
+    if (phi.grid.isBorder(node))
+    {
+      ASSERT_GT(phi.values[node], phi.grid.spacing) << "node " << node;
+    }
+  }
+  expectSpheresAround(phi);
+}
+
 TEST(LabelConditioning, EmptyLabelIsRefused)
 {
   LabelVolume label = ballLabel({ { 45, 45, 45 } }, Vector3::Ones());

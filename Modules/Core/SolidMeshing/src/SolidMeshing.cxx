@@ -21,6 +21,8 @@ namespace
 
 /** Area ratio rms that is enough of a sphere map that only starts the optimisation [1]. */
 constexpr double fastAreaTolerance = 0.05;
+/** What it may come to where that is out of reach: what the optimisation makes of it is judged by itself [1]. */
+constexpr double fastAreaLimit = 0.5;
 
 /** Parts of the whole run, for progress only. */
 constexpr double afterSurfaces = 0.4;
@@ -177,6 +179,7 @@ private:
     if (isFast(m_Options))
     {
       options.areaTolerance = std::max(options.areaTolerance, fastAreaTolerance);
+      options.areaLimit = std::max(options.areaLimit, fastAreaLimit);
     }
     parallelFor(count, m_Options.threads, [&](std::size_t i) {
       const std::size_t         k = count - 1 - i;

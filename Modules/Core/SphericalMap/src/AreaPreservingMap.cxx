@@ -268,14 +268,23 @@ private:
   requireGuarantee() const
   {
     const SphereMapQuality & quality = m_Result.quality;
-    if (isBijective(quality) && quality.areaRatioRms <= m_Options.areaTolerance)
+    const double             limit = std::max(m_Options.areaTolerance, m_Options.areaLimit);
+    if (isBijective(quality) && quality.areaRatioRms <= limit)
     {
       return;
     }
     std::ostringstream message;
-    message << "sphere map (" << m_Result.path << "): " << quality.flippedTriangles << " flipped triangles, need 0; "
-            << "solid angles sum to " << quality.solidAngleSum << ", need 4 pi; area ratio rms " << quality.areaRatioRms
-            << ", need " << m_Options.areaTolerance;
+    message << "sphere map";
+    if (!isBijective(quality))
+    {
+      message << ": " << quality.flippedTriangles << " triangles flipped, need 0, solid angles sum to "
+              << quality.solidAngleSum << ", need 4 pi";
+    }
+    if (!(quality.areaRatioRms <= limit))
+    {
+      message << ": area ratio rms " << quality.areaRatioRms << ", need " << limit;
+    }
+    message << "; way: " << m_Result.path;
     throw NotConverged(message.str(), m_Result.reports.empty() ? StepReport{} : m_Result.reports.back());
   }
 

@@ -26,6 +26,7 @@ struct AreaPreservingMapOptions
   SphereMapStage         lastStage{ SphereMapStage::AreaPreserving };
   double                 shapeWeight{ 1e-3 };   ///< eps at which the map is the minimiser [1]
   double                 areaTolerance{ 0.01 }; ///< area ratio rms promised; eps goes down until it holds [1]
+  double                 areaLimit{ 0.0 };      ///< a rms above areaTolerance is accepted up to this; 0: never [1]
   double                 relativeFloor{ 1e-3 }; ///< smallest target of a triangle, of the mean [1]
   int                    maximumSteps{ 200 };   ///< Newton steps of each minimisation
 };
@@ -46,7 +47,7 @@ struct AreaPreservingMapResult
  * directions on the sphere match LPS directions in the body in the least-squares sense.
  *
  * Guarantee (lastStage AreaPreserving): no flipped triangle, solid angles sum to 4 pi within 1e-9, area ratio rms <=
- * areaTolerance. Where the minimiser at options.shapeWeight misses the tolerance, eps goes down step by step until it
+ * max(areaTolerance, areaLimit). Where the minimiser at options.shapeWeight misses the tolerance, eps goes down step by step until it
  * holds; the result says so in `path` and `shapeWeight`. The map does not depend on the triangle removed, on scale, or
  * on how vertices are numbered: 1e-5 degrees on smooth shapes; on crumpled ones a few vertices can have two places, up
  * to a degree apart. Rotating the surface rotates the map.
