@@ -75,7 +75,7 @@ TEST(HardShapes, AHoleNarrowerThanTheCellsIsSmoothedAwayInTheLabelsOwnFrame)
 {
   const Pipeline::Pointer    pipeline = exactMeshOf(cubeWithBlindHole());
   const SolidMeshingResult & result = pipeline->GetResult();
-  ASSERT_TRUE(result.smootherSolid.has_value());
+  ASSERT_TRUE(result.simplerSolid.has_value());
   EXPECT_TRUE(result.equalisation->exact);
   EXPECT_TRUE(result.turnWarning.empty()) << result.turnWarning;
   EXPECT_LE(result.boundary.maximum, 0.5);
@@ -90,7 +90,7 @@ TEST(HardShapes, ASolidThatIsExactAsItIsIsNotSmoothedMore)
 {
   const Pipeline::Pointer pipeline =
     exactMeshOf(cubicLabel([](const Eigen::Vector3i & v) { return isInCube(v, 3, 28); }));
-  EXPECT_FALSE(pipeline->GetResult().smootherSolid.has_value());
+  EXPECT_FALSE(pipeline->GetResult().simplerSolid.has_value());
   EXPECT_EQ(pipeline->GetStages().front().note, "");
   EXPECT_EQ(pipeline->GetResult().attempts, std::vector<std::string>{ "own frame: exact" });
 }

@@ -53,7 +53,7 @@ unrepaired(double surfaceTolerance, bool allowPartial)
   options.equalisation.repairRounds = 0;
   options.equalisation.surfaceTolerance = surfaceTolerance;
   options.allowPartial = allowPartial;
-  options.smootherSolid = [] { return std::nullopt; };
+  options.simplerSolid = [](Simplification) { return std::nullopt; };
   return options;
 }
 

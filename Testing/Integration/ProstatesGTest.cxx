@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 
 using namespace moserhex;
 using namespace moserhex::integration;
@@ -86,6 +87,44 @@ TEST(Prostates, AllGiveMeshesWithinTheContract)
   }
   EXPECT_LE(medianOf(variances), 0.05);
   EXPECT_LE(medianOf(concave), 0.5);
+}
+
+TEST(Prostates, TransitionZonesAreRepairedAndMeshedExactly)
+{
+  constexpr int                  transitionZone = 2;
+  const std::vector<std::string> files = developmentImages("dev/zonal_Yuan23");
+  if (files.empty())
+  {
+    GTEST_SKIP() << "no development data: set MoserHex_DEVELOPMENT_DATA to their folder";
+  }
+  std::size_t meshed = 0;
+  for (const std::string & file : files)
+  {
+    SCOPED_TRACE(file);
+    const LabelImage image = readLabelImage(file);
+    auto             pipeline = itk::MassPreservingHexahedralMeshFilter<LabelImageType>::New();
+    pipeline->SetInput(image.image);
+    pipeline->SetLabel(transitionZone);
+    try
+    {
+      pipeline->Update();
+    }
+    catch (const itk::CoreError & refusal)
+    {
+      std::cout << file << ": " << refusal.GetDescription() << std::endl;
+      continue;
+    }
+    ++meshed;
+    const HexQualitySummary & quality = *pipeline->GetStages().back().quality;
+    EXPECT_EQ(quality.certified.positive, quality.cells);
+    EXPECT_LE(quality.volumeVariance, 1e-12);
+    EXPECT_GE(pipeline->GetConditioningReport().dice, 0.95);
+    if (pipeline->GetConditioningReport().rounding > 0.0)
+    {
+      EXPECT_EQ(pipeline->GetResult().attempts.back(), "rounder solid: exact");
+    }
+  }
+  EXPECT_GE(static_cast<double>(meshed), 0.95 * static_cast<double>(files.size()));
 }
 
 TEST(Prostates, AllGiveExactMeshes)

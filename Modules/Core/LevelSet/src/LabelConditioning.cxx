@@ -46,6 +46,10 @@ requireValid(const ConditioningOptions & options)
           "smallest sigma [mm]",
           options.minimumSigma,
           ">= 0");
+  require(options.roundingRadius >= 0.0 && std::isfinite(options.roundingRadius),
+          "rounding radius [mm]",
+          options.roundingRadius,
+          ">= 0");
   require(options.sliceAnisotropy >= 1.0, "slice anisotropy", options.sliceAnisotropy, ">= 1");
   require(options.maximumRepair >= 0.0 && options.maximumRepair <= 1.0,
           "largest repair",
@@ -222,6 +226,24 @@ diceWithVoxels(const LabelVolume & label, const LevelSet & phi, unsigned int thr
   return 2.0 * static_cast<double>(sum.both) / static_cast<double>(sum.label + sum.solid);
 }
 
+/** Opening and closing by a ball: what is narrower than it goes, be it solid or groove. */
+void
+roundInPlace(LevelSet & f, double radius, const ConditioningOptions & options)
+{
+  for (const double move : { -radius, 2.0 * radius, -radius })
+  {
+    try
+    {
+      f = redistance(f, options.threads);
+    }
+    catch (const InvalidInput &)
+    {
+      refuseThin(options.labelName, "narrower than the ball it is rounded with", radius);
+    }
+    shift(f, move);
+  }
+}
+
 /** Steps 2 and 3: a smooth function whose zero level encloses V, its topology as it happens to be. */
 LevelSet
 smoothShape(const LabelVolume &         ball,
@@ -230,11 +252,16 @@ smoothShape(const LabelVolume &         ball,
             const ConditioningOptions & options,
             const ConditioningReport &  report)
 {
-  const double      margin = std::max(marginInNodes, std::ceil(marginInSigmas * report.sigma / spacing)) * spacing;
+  const double      reach = marginInSigmas * report.sigma + options.roundingRadius;
+  const double      margin = std::max(marginInNodes, std::ceil(reach / spacing)) * spacing;
   const LabelVolume padded = cropAndPad(ball, voxelsForMargin(ball.spacing, margin));
   const RegularGrid grid = detail::gridAround(ball, spacing, margin);
   requireValid(grid, options.labelName);
   LevelSet f = detail::interpolateShape(padded, grid, report.sliceAxis, options.threads);
+  if (options.roundingRadius > 0.0)
+  {
+    roundInPlace(f, options.roundingRadius, options);
+  }
   gaussianSmoothInPlace(f, report.sigma / spacing);
 
   LevelOfVolumeOptions search;
@@ -302,19 +329,37 @@ warningsOf(const ConditioningReport & report)
   return warnings;
 }
 
-double
-smootherSigma(const ConditioningReport & report, double volume, int nodesPerSide)
+ConditioningOptions
+simplified(Simplification simplification, const ConditioningReport & first, double volume, int nodesPerSide)
 {
-  const double cellEdge = std::cbrt(volume) / (nodesPerSide - 1);
-  return std::max(1.5 * report.sigma, 0.65 * cellEdge);
+  const double        cellEdge = std::cbrt(volume) / (nodesPerSide - 1);
+  const bool          isRounder = simplification == Simplification::Rounder;
+  ConditioningOptions options;
+  options.nodesPerSide = nodesPerSide;
+  options.minimumSigma = std::max(1.5 * first.sigma, (isRounder ? 1.0 : 0.65) * cellEdge);
+  options.roundingRadius = isRounder ? 2.25 * cellEdge : 0.0;
+  return options;
+}
+
+bool
+isFaithful(Simplification simplification, const ConditioningReport & simpler, const ConditioningReport & first)
+{
+  constexpr double largestLoss = 0.02;
+  constexpr double smallestDiceOfRounder = 0.95;
+  return simplification == Simplification::Rounder ? simpler.dice >= smallestDiceOfRounder
+                                                   : simpler.dice >= first.dice - largestLoss;
 }
 
 std::string
-describeSmoothing(const ConditioningReport & smoother, const ConditioningReport & usual)
+describeSimplification(const ConditioningReport & simpler, const ConditioningReport & usual)
 {
   std::ostringstream text;
-  text << "smoothed by " << smoother.sigma << " mm instead of " << usual.sigma
-       << ", as details are narrower than cells; Dice coefficient with the label " << smoother.dice << " instead of "
+  text << "smoothed by " << simpler.sigma << " mm instead of " << usual.sigma;
+  if (simpler.rounding > 0.0)
+  {
+    text << " and rounded by " << simpler.rounding << " mm";
+  }
+  text << ", as details are narrower than cells; Dice coefficient with the label " << simpler.dice << " instead of "
        << usual.dice;
   return text.str();
 }
@@ -338,6 +383,7 @@ conditionLabel(const LabelVolume & label, const ConditioningOptions & options, c
   const double spacing = spacingOfGrid(ball, options);
   report.sliceAxis = detail::findSliceAxis(ball.spacing, options.sliceAnisotropy);
   report.sigma = sigmaOfSmoothing(options, ball.spacing, solid.labelVolume, spacing);
+  report.rounding = options.roundingRadius;
   LevelSet f = smoothShape(ball, solid.labelVolume, spacing, options, report);
   reportProgress(progress, 0.4);
 

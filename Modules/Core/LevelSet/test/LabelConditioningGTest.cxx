@@ -339,6 +339,68 @@ TEST(LabelConditioning, VerySmallAndThinLabelsWorkOrAreRefusedAsThin)
   expectSolidOrThin(neck, "neck of one voxel");
 }
 
+TEST(LabelConditioning, RoundingTakesSpursAwayAndFillsGrooves)
+{
+  // A ball with a spur of 3 mm and a pit of 3 mm across.
+  const auto shape = [](const Vector3 & p) {
+    const double spur = std::max(std::hypot(p.y(), p.z()) - 1.5, std::abs(p.x() - 21.0) - 6.0);
+    const double pit = std::max(std::hypot(p.y(), p.z()) - 1.5, std::abs(p.x() + 15.0) - 6.0);
+    return std::max(std::min(ballDistance(p), spur), -pit);
+  };
+  const LabelVolume   label = labelOf({ { 60, 44, 44 } }, { 1, 1, 1 }, shape);
+  ConditioningOptions options = coarse();
+  options.spacing = 0.8;
+  const auto valueAt = [&](const ConditionedSolid & solid, const Vector3 & p) {
+    return CubicInterpolator(solid.levelSet).value(p);
+  };
+  const ConditionedSolid plain = conditionLabel(label, options);
+  options.roundingRadius = 4.0;
+  const ConditionedSolid rounded = conditionLabel(label, options);
+  EXPECT_EQ(rounded.report.rounding, 4.0);
+  EXPECT_LT(valueAt(plain, { 23, 0, 0 }), 0.0);
+  EXPECT_GT(valueAt(rounded, { 23, 0, 0 }), 0.0);
+  EXPECT_GT(valueAt(plain, { -12, 0, 0 }), 0.0);
+  EXPECT_LT(valueAt(rounded, { -12, 0, 0 }), 0.0);
+  EXPECT_LT(valueAt(rounded, { 0, 16.5, 0 }), 0.0); // the ball stays
+  EXPECT_GT(valueAt(rounded, { 0, 19.5, 0 }), 0.0);
+  EXPECT_NEAR(rounded.report.volumeError, 0.0, 1e-6);
+  expectSpheresAround(rounded.levelSet);
+}
+
+TEST(LabelConditioning, ABallOfRoundingThatFitsNowhereIsRefusedAsThin)
+{
+  ConditioningOptions options = coarse();
+  options.roundingRadius = 30.0;
+  try
+  {
+    (void)conditionLabel(ballLabel({ { 44, 44, 44 } }, { 1, 1, 1 }), options);
+    FAIL() << "rounded by more than its radius";
+  }
+  catch (const InvalidInput & error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::Thin) << error.what();
+  }
+}
+
+TEST(Simplification, IsFaithfulWithinItsBoundsOfDice)
+{
+  ConditioningReport first;
+  first.dice = 0.98;
+  first.sigma = 1.0;
+  ConditioningReport simpler;
+  simpler.dice = 0.961;
+  EXPECT_TRUE(isFaithful(Simplification::Smoother, simpler, first));
+  EXPECT_TRUE(isFaithful(Simplification::Rounder, simpler, first));
+  simpler.dice = 0.955;
+  EXPECT_FALSE(isFaithful(Simplification::Smoother, simpler, first));
+  EXPECT_TRUE(isFaithful(Simplification::Rounder, simpler, first));
+  simpler.dice = 0.949;
+  EXPECT_FALSE(isFaithful(Simplification::Rounder, simpler, first));
+  EXPECT_EQ(simplified(Simplification::Smoother, first, 8000.0, 21).minimumSigma, 1.5);
+  EXPECT_EQ(simplified(Simplification::Rounder, first, 64000.0, 21).minimumSigma, 2.0); // a cell's edge
+  EXPECT_EQ(simplified(Simplification::Rounder, first, 64000.0, 21).roundingRadius, 4.5);
+}
+
 TEST(LabelConditioning, TheGridReachesBeyondTheSmoothingOfAPlate)
 {
   // One slice: sigma is many spacings of the grid that resolves the plate.

@@ -35,16 +35,16 @@ void
 equaliseMasses(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
 {
   const SolidMeshingOptions &      options = stage.options;
-  std::optional<CubicInterpolator> smoother;
-  if (result.smootherSolid)
+  std::optional<CubicInterpolator> simpler;
+  if (result.simplerSolid)
   {
-    smoother.emplace(*result.smootherSolid);
+    simpler.emplace(*result.simplerSolid);
   }
   const MassQuadrature rule =
     chooseMassQuadrature(result.mesh, *options.density, options.densityAccuracy, options.threads);
   const MassMeasure measure(*options.density, rule.options);
   keep(equaliseMeasures(result.mesh,
-                        signedDistance(smoother ? *smoother : stage.phi),
+                        signedDistance(simpler ? *simpler : stage.phi),
                         stage.volume,
                         measure,
                         stage.volume,
@@ -90,15 +90,19 @@ public:
     keep(equalise(m_Stage, m_OwnFrame, m_Start, progressBetween(progress, 0.0, maybeTurned() ? 0.2 : 1.0)), m_Result);
     note("own frame");
     const bool wasGivenUp = isGivenUp(*m_Result.equalisation);
-    if (!isExact() && m_Stage.options.smootherSolid)
+    if (!isExact() && m_Stage.options.simplerSolid)
     {
-      trySmootherSolid(progressBetween(progress, 0.2, 0.3));
+      trySimplerSolid(Simplification::Smoother, progressBetween(progress, 0.2, 0.3));
     }
     if (isExact() || !maybeTurned())
     {
       return;
     }
-    const std::optional<HopelessShape> hopeless = tryTurnedFrames(progressBetween(progress, 0.3, 0.9));
+    const std::optional<HopelessShape> hopeless = tryTurnedFrames(progressBetween(progress, 0.3, 0.6));
+    if (!isExact() && m_Stage.options.simplerSolid)
+    {
+      trySimplerSolid(Simplification::Rounder, progressBetween(progress, 0.6, 0.9));
+    }
     if (hopeless && !isExact() && !m_Stage.options.allowPartial)
     {
       refuseShape(*hopeless);
@@ -131,7 +135,7 @@ private:
   [[nodiscard]] std::optional<HopelessShape>
   tryTurnedFrames(const ProgressCallback & progress)
   {
-    FrameSearchResult found = searchTurnedFrames(m_Stage, *m_Result.equalisation, progress);
+    FrameSearchResult found = searchTurnedFrames(m_Stage, m_Stage.phi, *m_Result.equalisation, progress);
     if (found.better)
     {
       keep(std::move(*found.better), m_Result);
@@ -141,30 +145,40 @@ private:
     return found.hopeless;
   }
 
-  /** The start on the surface of a smoother solid, in its own frame. */
+  /** The start on the surface of a simpler solid in its own frame; of a rounder one, the last resort, in turned frames,
+   * too. */
   void
-  trySmootherSolid(const ProgressCallback & progress)
+  trySimplerSolid(Simplification simplification, const ProgressCallback & progress)
   {
-    const std::string       name = "smoother solid";
-    std::optional<LevelSet> smoother = m_Stage.options.smootherSolid();
-    if (!smoother)
+    const bool              isRounder = simplification == Simplification::Rounder;
+    const std::string       name = isRounder ? "rounder solid" : "smoother solid";
+    std::optional<LevelSet> simpler = m_Stage.options.simplerSolid(simplification);
+    if (!simpler)
     {
-      m_Result.attempts.push_back(name + ": loses too much of the label");
+      m_Result.attempts.push_back(name + ": too far from the label");
       return;
     }
-    const CubicInterpolator phi(*smoother);
+    const CubicInterpolator phi(*simpler);
     try
     {
       EqualisationResult equalised =
-        equaliseVolumes(m_Start, signedDistance(phi), m_Stage.volume, m_OwnFrame, progress);
+        equaliseVolumes(m_Start, signedDistance(phi), m_Stage.volume, m_OwnFrame, progressBetween(progress, 0.0, 0.3));
+      std::string turn;
+      if (isRounder && !equalised.exact)
+      {
+        FrameSearchResult found = searchTurnedFrames(m_Stage, phi, equalised, progressBetween(progress, 0.3, 1.0));
+        equalised = found.better ? std::move(*found.better) : std::move(equalised);
+        turn = found.turn;
+      }
       if (equalised.exact)
       {
         keep(std::move(equalised), m_Result);
-        m_Result.smootherSolid = std::move(smoother);
+        m_Result.turnWarning = turn;
+        m_Result.simplerSolid = std::move(simpler);
       }
       note(name);
     }
-    catch (const InvalidInput & error) // the start lies too far from the smoother surface
+    catch (const InvalidInput & error) // the start lies too far from the simpler surface
     {
       m_Result.attempts.push_back(name + ": " + error.what());
     }

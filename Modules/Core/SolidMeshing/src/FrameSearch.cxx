@@ -74,7 +74,11 @@ cellsOf(int nodesPerSide)
 /** Sorts turns by the meshes they lead to on a coarse lattice, best first, and keeps the best. Where even the best is
  * far from a mesh, says so. */
 std::optional<HopelessShape>
-keepBestOnLattice(const ExactStage & stage, int nodesPerSide, std::size_t count, std::vector<Matrix3> & turns)
+keepBestOnLattice(const ExactStage &        stage,
+                  const CubicInterpolator & phi,
+                  int                       nodesPerSide,
+                  std::size_t               count,
+                  std::vector<Matrix3> &    turns)
 {
   EqualisationOptions coarse = equalisationOptions(stage.options);
   coarse.nodesPerSide = std::min(nodesPerSide, coarse.nodesPerSide);
@@ -85,7 +89,7 @@ keepBestOnLattice(const ExactStage & stage, int nodesPerSide, std::size_t count,
   std::vector<Prospect> prospects(turns.size());
   parallelFor(turns.size(), stage.options.threads, [&](std::size_t t) {
     const EqualisationResult result =
-      equaliseVolumes(stage.turnedStart(turns[t]), signedDistance(stage.phi), stage.volume, coarse, {});
+      equaliseVolumes(stage.turnedStart(turns[t]), signedDistance(phi), stage.volume, coarse, {});
     prospects[t] = { result.uncertifiedCells, result.smallestScaledJacobian, turns[t] };
   });
   std::stable_sort(
@@ -158,19 +162,22 @@ isBetter(const EqualisationResult & mesh, const EqualisationResult & other)
 }
 
 FrameSearchResult
-searchTurnedFrames(const ExactStage & stage, const EqualisationResult & best, const ProgressCallback & progress)
+searchTurnedFrames(const ExactStage &         stage,
+                   const CubicInterpolator &  phi,
+                   const EqualisationResult & best,
+                   const ProgressCallback &   progress)
 {
   const SolidMeshingOptions & options = stage.options;
   FrameSearchResult           found;
   std::vector<Matrix3> turns = promisingTurns(stage.surface, stage.sphereMap, turnsOnCoarsestLattice, options.threads);
   reportProgress(progress, 0.3);
-  found.hopeless = keepBestOnLattice(stage, 6, turnsOnCoarseLattice, turns);
+  found.hopeless = keepBestOnLattice(stage, phi, 6, turnsOnCoarseLattice, turns);
   if (found.hopeless && !options.allowPartial)
   {
     return found;
   }
   reportProgress(progress, 0.5);
-  found.hopeless = keepBestOnLattice(stage, 10, static_cast<std::size_t>(options.turnedFrames), turns);
+  found.hopeless = keepBestOnLattice(stage, phi, 10, static_cast<std::size_t>(options.turnedFrames), turns);
   if (found.hopeless && !options.allowPartial)
   {
     return found;
@@ -182,7 +189,7 @@ searchTurnedFrames(const ExactStage & stage, const EqualisationResult & best, co
     EqualisationOptions inFrame = equalisationOptions(options);
     inFrame.hopelessCells = std::min(inFrame.hopelessCells, hopelessCells(inFrame.nodesPerSide, present->exact));
     EqualisationResult equalised = equaliseVolumes(stage.turnedStart(turns[t]),
-                                                   signedDistance(stage.phi),
+                                                   signedDistance(phi),
                                                    stage.volume,
                                                    inFrame,
                                                    progressOfPart(atFullSize, t, turns.size()));

@@ -43,8 +43,12 @@ struct FrameSearchResult
 /** An edge of the cube that crosses a crease cannot have convex cells; a turned cube may avoid it. Judges many turns by
  * where the edges lie on the surface, some of them by meshes on ever finer coarse lattices, and meshes the best at full
  * size until one is exact with room to spare.
- * \param best  the best mesh there is; its nodes are not looked at */
+ * \param phi   of the surface that is meshed; the starts are those of stage.turnedStart
+ * \param best  the best mesh there is of that surface; its nodes are not looked at */
 [[nodiscard]] FrameSearchResult
-searchTurnedFrames(const ExactStage & stage, const EqualisationResult & best, const ProgressCallback & progress);
+searchTurnedFrames(const ExactStage &         stage,
+                   const CubicInterpolator &  phi,
+                   const EqualisationResult & best,
+                   const ProgressCallback &   progress);
 
 } // namespace moserhex

@@ -124,8 +124,8 @@ public:
     {
       equalise();
     }
-    m_Result.boundary = m_Result.smootherSolid
-                          ? boundaryDistanceTo(*m_Result.smootherSolid)
+    m_Result.boundary = m_Result.simplerSolid
+                          ? boundaryDistanceTo(*m_Result.simplerSolid)
                           : boundaryDistance(m_Result.mesh, nearestPointOn(outerSurface, m_PhiAt, level));
     if (m_Options.lastStage == MeshingStage::Exact)
     {
@@ -286,7 +286,7 @@ private:
     std::ostringstream note;
     note << m_Result.equalisation->report.steps << " steps, "
          << (m_Result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified")
-         << (m_Result.smootherSolid ? ", of a smoother solid" : "");
+         << (m_Result.simplerSolid ? ", of a simpler solid" : "");
     if (m_Result.attempts.size() > 1)
     {
       for (const std::string & attempt : m_Result.attempts)

@@ -202,13 +202,13 @@ private:
            const moserhex::LevelSet &    phi,
            moserhex::MeshingStageReport  orderingStage);
 
-  /** The repaired label conditioned with more smoothing, for shapes whose details are narrower than the cells; nothing
-   * where that loses more than largestLossOfDice. */
+  /** The repaired label made simpler, for shapes whose details are narrower than the cells; nothing where that is not
+   * faithful to the label. */
   std::optional<moserhex::LevelSet>
-  SmootherSolid(const moserhex::LabelVolume & label);
+  SimplerSolid(const moserhex::LabelVolume & label, moserhex::Simplification simplification);
 
   moserhex::SolidMeshingOptions
-  OptionsWithSmootherSolid(const moserhex::LabelVolume & label); // keeps a reference to the label
+  OptionsWithSimplerSolid(const moserhex::LabelVolume & label); // keeps a reference to the label
 
   /** With the shells of GetShellMethod(), those of the fast way from a coarse grid. */
   moserhex::SolidMeshingResult
@@ -235,10 +235,7 @@ private:
   static constexpr double afterConditioning = 0.15;
   static constexpr double afterOrdering = 0.3;
 
-  /** Of the Dice coefficient with the label, by more smoothing [1]. */
-  static constexpr double largestLossOfDice = 0.02;
-
-  /** A solid smoothed more whose Dice coefficient with the label is below this is a warning, not only a note [1]. */
+  /** A simpler solid whose Dice coefficient with the label is below this is a warning, not only a note [1]. */
   static constexpr double noteworthyDice = 0.98;
 
   LabelType                     m_Label{ 1 };
@@ -249,7 +246,7 @@ private:
   moserhex::SolidMeshingResult  m_Result;
   moserhex::ConditioningReport  m_ConditioningReport;
 
-  std::optional<moserhex::ConditioningReport> m_SmootherReport; ///< of SmootherSolid()
+  std::optional<moserhex::ConditioningReport> m_SimplerReport; ///< of the last SimplerSolid()
   double                                      m_LabelVolume{ 0.0 };
 
   std::optional<moserhex::LabelDensity> m_LabelDensity;

@@ -89,38 +89,38 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(moserhex::Solid
 
 template <typename TLabelImage, typename TMesh>
 std::optional<moserhex::LevelSet>
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::SmootherSolid(const moserhex::LabelVolume & label)
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::SimplerSolid(const moserhex::LabelVolume & label,
+                                                                     moserhex::Simplification      simplification)
 {
-  moserhex::ConditioningOptions options;
-  options.nodesPerSide = 2 * m_Options.shells;
-  options.minimumSigma = moserhex::smootherSigma(m_ConditioningReport, m_LabelVolume, options.nodesPerSide);
+  moserhex::ConditioningOptions options =
+    moserhex::simplified(simplification, m_ConditioningReport, m_LabelVolume, 2 * m_Options.shells);
   options.threads = this->GetNumberOfWorkUnits();
   try
   {
-    moserhex::ConditionedSolid smoother = moserhex::conditionLabel(label, options);
-    m_SmootherReport = smoother.report;
-    m_SmootherReport->repair = m_ConditioningReport.repair;
-    m_SmootherReport->borders = m_ConditioningReport.borders;
-    if (m_SmootherReport->dice < m_ConditioningReport.dice - largestLossOfDice)
+    moserhex::ConditionedSolid simpler = moserhex::conditionLabel(label, options);
+    m_SimplerReport = simpler.report;
+    m_SimplerReport->repair = m_ConditioningReport.repair;
+    m_SimplerReport->borders = m_ConditioningReport.borders;
+    if (!moserhex::isFaithful(simplification, *m_SimplerReport, m_ConditioningReport))
     {
       return std::nullopt;
     }
-    return std::move(smoother.levelSet);
+    return std::move(simpler.levelSet);
   }
   catch (const moserhex::InvalidInput &)
   {
-    return std::nullopt; // too thin to be smoothed more
+    return std::nullopt; // too thin for it
   }
 }
 
 template <typename TLabelImage, typename TMesh>
 moserhex::SolidMeshingOptions
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsWithSmootherSolid(const moserhex::LabelVolume & label)
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsWithSimplerSolid(const moserhex::LabelVolume & label)
 {
   moserhex::SolidMeshingOptions options = m_Options;
-  if (!options.smootherSolid)
+  if (!options.simplerSolid)
   {
-    options.smootherSolid = [this, &label] { return this->SmootherSolid(label); };
+    options.simplerSolid = [this, &label](moserhex::Simplification how) { return this->SimplerSolid(label, how); };
   }
   return options;
 }
@@ -233,16 +233,16 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
 
   const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
   this->PutDensityOnLabel(conditioning->GetRepairedLabel());
-  m_SmootherReport.reset();
-  const moserhex::SolidMeshingOptions options = this->OptionsWithSmootherSolid(conditioning->GetRepairedLabel());
+  m_SimplerReport.reset();
+  const moserhex::SolidMeshingOptions options = this->OptionsWithSimplerSolid(conditioning->GetRepairedLabel());
   const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
   m_Result = mayChangeShells ? this->MeshFromBestShells(options, phi) : this->MeshFromUsualShells(options, phi);
 
   moserhex::MeshingStageReport conditioningStage{ "conditioning", conditioningSeconds, {}, {} };
-  if (m_Result.smootherSolid)
+  if (m_Result.simplerSolid)
   {
-    conditioningStage.note = moserhex::describeSmoothing(*m_SmootherReport, m_ConditioningReport);
-    m_ConditioningReport = *m_SmootherReport;
+    conditioningStage.note = moserhex::describeSimplification(*m_SimplerReport, m_ConditioningReport);
+    m_ConditioningReport = *m_SimplerReport;
     if (m_ConditioningReport.dice < noteworthyDice)
     {
       m_Result.warnings.insert(m_Result.warnings.begin(), conditioningStage.note);

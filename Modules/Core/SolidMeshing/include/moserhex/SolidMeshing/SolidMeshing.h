@@ -7,6 +7,7 @@
 #include "moserhex/HexMap/VolumeEqualisation.h"
 #include "moserhex/HexMap/VolumetricMoserFlow.h"
 #include "moserhex/LevelSet/Density.h"
+#include "moserhex/LevelSet/LabelConditioning.h"
 #include "moserhex/LevelSet/ShellSurfaces.h"
 #include "moserhex/Quality/HexQuality.h"
 #include "moserhex/SphericalMap/AreaPreservingMap.h"
@@ -56,10 +57,10 @@ struct SolidMeshingOptions
    * exact mesh; 0: none [1]. */
   int turnedFrames{ 2 };
 
-  /** The same solid conditioned with more smoothing, or nothing when that would lose too much of the label. Asked for
-   * when the own frame does not lead to an exact mesh of phi, before frames are turned: a lattice cannot carry what is
-   * narrower than its cells. Empty: no such attempt. */
-  std::function<std::optional<LevelSet>()> smootherSolid;
+  /** The same solid made simpler, or nothing when that would lose too much of the label: a lattice cannot carry what is
+   * narrower than its cells. Asked for a smoother one when the own frame does not lead to an exact mesh of phi, and for
+   * a rounder one when turned frames do not, either. Empty: no such attempts. */
+  std::function<std::optional<LevelSet>(Simplification simplification)> simplerSolid;
 
   ShellSurfaceOptions        surfaces;     ///< stage C; its thread count is replaced by `threads`
   AreaPreservingMapOptions   sphereMap;    ///< stages D, E
@@ -115,12 +116,12 @@ struct SolidMeshingResult
   ShellSurfacesSummary                 shells;     ///< stage C
   std::vector<AreaPreservingMapResult> sphereMaps; ///< entry k-1 for shell k; positions are emptied
   BoundaryDistance                     boundary;
-  std::optional<FramePlacementResult>  frame;         ///< of LatticeFrame::Ridge
-  std::optional<LevelSet>              smootherSolid; ///< the solid that was meshed when it is not phi
-  std::string                          turnWarning;   ///< which of the fallback turns was used; empty: none
-  std::vector<std::string>             attempts;      ///< of stage J, in order, and what came of each
-  std::optional<MassReport>            mass;          ///< with a density
-  std::optional<EqualisationResult>    equalisation;  ///< stage J; its mesh is emptied
+  std::optional<FramePlacementResult>  frame;        ///< of LatticeFrame::Ridge
+  std::optional<LevelSet>              simplerSolid; ///< the solid that was meshed when it is not phi
+  std::string                          turnWarning;  ///< which of the fallback turns was used; empty: none
+  std::vector<std::string>             attempts;     ///< of stage J, in order, and what came of each
+  std::optional<MassReport>            mass;         ///< with a density
+  std::optional<EqualisationResult>    equalisation; ///< stage J; its mesh is emptied
   std::vector<std::string>             warnings;
 };
 
