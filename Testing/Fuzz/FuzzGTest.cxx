@@ -81,7 +81,7 @@ TEST(Fuzz, DeathAndHangOfAChildAreSeen)
   limits = {};
   limits.cpuSeconds = 1;
   const auto spin = []() -> std::string {
-    for (volatile int n = 0;; n = n + 1)
+    for (volatile unsigned int n = 0;; n = n + 1)
     {}
   };
   EXPECT_EQ(runInChild(spin, limits).text, "over the time limit");

@@ -58,14 +58,14 @@ TEST(EqualisationFlaws, RoundIsWorthwhileForAFifthFewerUncertifiedCells)
   EXPECT_FALSE(bad.worthwhileAfter(bad, limits));
 }
 
-TEST(EqualisationFlaws, RoundIsWorthwhileForAnythingElseThatIsThreePercentBetter)
+TEST(EqualisationFlaws, RoundIsWorthwhileForALengthThreePercentOrAScaledJacobianAQuarterBetter)
 {
   EXPECT_TRUE((EqualisationFlaws{ 10, 1.93, 4.0, 0.05 }.worthwhileAfter(bad, limits)));
   EXPECT_FALSE((EqualisationFlaws{ 10, 1.95, 4.0, 0.05 }.worthwhileAfter(bad, limits)));
   EXPECT_TRUE((EqualisationFlaws{ 10, 2.0, 3.87, 0.05 }.worthwhileAfter(bad, limits)));
   EXPECT_FALSE((EqualisationFlaws{ 10, 2.0, 3.89, 0.05 }.worthwhileAfter(bad, limits)));
-  EXPECT_TRUE((EqualisationFlaws{ 10, 2.0, 4.0, 0.052 }.worthwhileAfter(bad, limits)));
-  EXPECT_FALSE((EqualisationFlaws{ 10, 2.0, 4.0, 0.051 }.worthwhileAfter(bad, limits)));
+  EXPECT_TRUE((EqualisationFlaws{ 10, 2.0, 4.0, 0.063 }.worthwhileAfter(bad, limits)));
+  EXPECT_FALSE((EqualisationFlaws{ 10, 2.0, 4.0, 0.062 }.worthwhileAfter(bad, limits)));
 }
 
 TEST(EqualisationFlaws, RoundThatCostsCertifiedCellsIsNotWorthwhile)
