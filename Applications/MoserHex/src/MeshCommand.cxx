@@ -1,151 +1,27 @@
 #include "MeshCommand.h"
 
 #include "Console.h"
+#include "MeshFile.h"
 #include "MeshReport.h"
-#include "MeshRun.h"
-#include "SameFile.h"
-#include "moserhex/Common/Parallel.h"
-#include "moserhex/Common/Stopwatch.h"
-#include "moserhex/HexMeshIO/AtomicFile.h"
-#include "moserhex/HexMeshIO/HexMeshWriter.h"
-#include "moserhex/HexMeshIO/Sha256.h"
-#include "moserhex/Quality/CellLabels.h"
-#include "moserhex/Quality/HexQuality.h"
-
-#include <itkMultiThreaderBase.h>
 
 namespace moserhex::app
 {
-namespace
-{
-
-/** What can be wrong with the names is found before the work, not after. */
-void
-requireUsableNames(const MeshCommandOptions & options)
-{
-  if (!isHexMeshName(options.output))
-  {
-    throw UsageError(
-      fileMessage(options.output, "not a mesh file's name", "give an OUTPUT that ends with .vtu or .vtk"));
-  }
-  if (!options.density.empty() && options.stage != "exact")
-  {
-    throw UsageError("--density needs --stage exact");
-  }
-  if (options.way && options.stage != "exact")
-  {
-    throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");
-  }
-  if (sameFile(options.density, options.output) || sameFile(options.density, options.reportFile))
-  {
-    throw UsageError(fileMessage(options.density, "would be overwritten", "give another name for the output"));
-  }
-  if (sameFile(options.input.file, options.output) || sameFile(options.input.file, options.reportFile))
-  {
-    throw UsageError(fileMessage(options.input.file, "would be overwritten", "give another name for the output"));
-  }
-  if (sameFile(options.output, options.reportFile))
-  {
-    throw UsageError(fileMessage(options.output, "is both OUTPUT and report", "give the report another name"));
-  }
-}
 
 void
-requireKnownKind(const InputOptions & input)
+runMeshCommand(const MeshCommandOptions & options)
 {
-  if (!isInputName(input.file))
+  MeshedFile meshed;
   {
-    throw BadInput(ErrorCode::Format,
-                   input.file,
-                   "the name's ending is not that of a labelmap or a surface",
-                   "give .nrrd .nhdr .nii .nii.gz .mha .mhd, or .vtk .vtp .stl .obj .ply .off");
+    ProgressPrinter progress(options.quiet);
+    meshed = meshFile(options, [&progress](double fraction) { progress.show(fraction); });
   }
-}
-
-void
-requireWritable(const std::string & fileName)
-{
-  const AtomicFile probe(fileName);
-}
-
-/** Scaled Jacobians, and the label that each cell mostly lies in where several are meshed together. */
-HexMeshFields
-fieldsOf(const HexMesh & mesh, const ChosenSolid & solid, unsigned int threads)
-{
-  HexMeshFields fields;
-  fields.scaledJacobian.reserve(mesh.cellCount());
-  for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
-  {
-    fields.scaledJacobian.push_back(hexCellQuality(cellCorners(mesh, cell)).scaledJacobian);
-  }
-  if (solid.labels.size() > 1)
-  {
-    fields.label = labelsOfCells(mesh, labelValuesOf(*solid.image.image), threads);
-  }
-  return fields;
-}
-
-/** The checksum in the report must be that of what was read. */
-void
-requireUnchanged(const std::string & fileName, const std::string & sha256)
-{
-  if (sha256OfFile(fileName) != sha256)
-  {
-    throw IOError(ErrorCode::InputOutput, fileName, "the file changed during the run", "run again when it is complete");
-  }
-}
-
-} // namespace
-
-std::string
-wayOf(const MeshCommandOptions & options)
-{
-  return options.way.value_or("fast");
-}
-
-void
-runMeshCommand(const MeshCommandOptions & userOptions)
-{
-  const Stopwatch    stopwatch;
-  MeshCommandOptions options = userOptions;
-  options.threads = options.threads == 0 ? defaultThreadCount() : options.threads;
-  itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
-
-  requireUsableNames(options);
-  const std::string sha256 = sha256OfFile(options.input.file);
-  requireKnownKind(options.input);
-  const ChosenSolid solid = readSolid(options.input);
-  requireWritable(options.output);
-  if (!options.reportFile.empty())
-  {
-    requireWritable(options.reportFile);
-  }
-  RunReport   report = startReport(solid, sha256, options);
-  ScalarImage density;
-  if (!options.density.empty())
-  {
-    density = readScalarImage(options.density, { options.input.sandbox });
-    report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
-  }
-  const PipelineType::Pointer pipeline = runPipeline(solid, density.image.GetPointer(), options);
-  addResults(*pipeline, options, report);
-  requireUnchanged(options.input.file, sha256);
-
-  const HexMesh & mesh = pipeline->GetHexMesh();
-  writeHexMesh(options.output, mesh, fieldsOf(mesh, solid, options.threads));
-  report.seconds = stopwatch.seconds();
-  if (!options.reportFile.empty())
-  {
-    writeRunReport(options.reportFile, report);
-  }
-  for (const std::string & warning : report.warnings)
+  for (const std::string & warning : meshed.report.warnings)
   {
     printWarning(warning);
   }
   if (!options.quiet)
   {
-    printSummary(report, solid, options);
+    printSummary(meshed.report, meshed.solid, options);
   }
 }
 

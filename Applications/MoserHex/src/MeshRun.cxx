@@ -1,6 +1,6 @@
 #include "MeshRun.h"
 
-#include "Console.h"
+#include "CommandErrors.h"
 
 #include <map>
 #include <new>
@@ -60,10 +60,12 @@ remedyForSolid(const ChosenSolid & solid, const MeshCommandOptions & options, Er
 } // namespace
 
 PipelineType::Pointer
-runPipeline(const ChosenSolid & solid, const ScalarImageType * density, const MeshCommandOptions & options)
+runPipeline(const ChosenSolid &        solid,
+            const ScalarImageType *    density,
+            const MeshCommandOptions & options,
+            const ProgressFunction &   progress)
 {
-  const auto      filter = PipelineType::New();
-  ProgressPrinter progress(options.quiet);
+  const auto filter = PipelineType::New();
   filter->SetInput(solid.mask);
   filter->SetLabel(solid.value);
   filter->SetNumberOfShells(options.shells);
@@ -80,7 +82,10 @@ runPipeline(const ChosenSolid & solid, const ScalarImageType * density, const Me
   }
   filter->SetNumberOfWorkUnits(options.threads);
   filter->AddObserver(itk::ProgressEvent(), [&progress, &filter](const itk::EventObject &) {
-    progress.show(static_cast<double>(filter->GetProgress()));
+    if (progress)
+    {
+      progress(static_cast<double>(filter->GetProgress()));
+    }
   });
   try
   {
