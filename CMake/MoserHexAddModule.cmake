@@ -20,7 +20,7 @@
 set(MoserHex_LAYERS_BELOW_Core Core)
 set(MoserHex_LAYERS_BELOW_Filtering Core Filtering)
 set(MoserHex_LAYERS_BELOW_IO Core IO)
-set(MoserHex_LAYERS_BELOW_Applications Core Filtering IO)
+set(MoserHex_LAYERS_BELOW_Applications Core Filtering IO Applications)
 set(MoserHex_EXTERNALS_OF_Core "")
 set(MoserHex_EXTERNALS_OF_Filtering ITK)
 set(MoserHex_EXTERNALS_OF_IO ITK VTK)
