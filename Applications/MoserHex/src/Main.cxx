@@ -1,5 +1,6 @@
 #include "CheckCommand.h"
 #include "Console.h"
+#include "ConvertCommand.h"
 #include "Guard.h"
 #include "MeshCommand.h"
 #include "QualityCommand.h"
@@ -7,6 +8,7 @@
 #include "Signals.h"
 #include "Version.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/RunReport.h"
 
 #include <CLI/CLI.hpp>
@@ -65,12 +67,19 @@ addThreadsAndQuiet(CLI::App & command, unsigned int & threads, bool & quiet)
 }
 
 void
+addOutput(CLI::App & command, std::string & output)
+{
+  command.add_option("OUTPUT", output, std::string("Mesh to write (") + hexMeshEndings + "), LPS millimetres")
+    ->required();
+}
+
+void
 addMeshCommand(CLI::App & program, MeshCommandOptions & options)
 {
   CLI::App * command =
     program.add_subcommand("mesh", "Mesh a label of a labelmap, all its labels together, or the inside of a surface");
   addInput(*command, options.input);
-  command->add_option("OUTPUT", options.output, "Mesh to write (.vtu or .vtk), LPS millimetres")->required();
+  addOutput(*command, options.output);
   command->add_option("--shells", options.shells, "Number of shells N: (2N)^3 nodes")
     ->check(CLI::Range(2, 64))
     ->capture_default_str();
@@ -137,6 +146,26 @@ addCheckCommand(CLI::App & program, CheckCommandOptions & options)
   return command;
 }
 
+CLI::App *
+addConvertCommand(CLI::App & program, ConvertCommandOptions & options)
+{
+  CLI::App * command = program.add_subcommand(
+    "convert", "Write a lattice mesh in another format, with named sets for finite-element programs");
+  command
+    ->add_option("INPUT",
+                 options.input,
+                 "Lattice of hexahedra (.vtu .vtk .msh .mesh .inp), LPS millimetres; its arrays are not taken over")
+    ->required();
+  addOutput(*command, options.output);
+  command->add_option("--gmsh-version", options.gmshVersion, "Version of an OUTPUT .msh")
+    ->check(CLI::IsMember({ "2.2", "4.1" }))
+    ->capture_default_str();
+  command->add_flag(
+    "!--no-sandbox", options.sandbox, "Read files in this process instead of a child with limits of memory and time");
+  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  return command;
+}
+
 int
 reportUsage(const CLI::App & program, const CLI::ParseError & error)
 {
@@ -149,7 +178,8 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   if (parsed.empty() && !unknown.empty() && unknown.front().front() != '-')
   {
     printError(ErrorCode::Usage,
-               "no command " + unknown.front() + ", there are mesh, check, quality and sample; see moserhex --help");
+               "no command " + unknown.front() +
+                 ", there are mesh, check, convert, quality and sample; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -171,6 +201,8 @@ run(int argc, char ** argv)
   addMeshCommand(program, meshOptions);
   CheckCommandOptions   checkOptions;
   const CLI::App *      check = addCheckCommand(program, checkOptions);
+  ConvertCommandOptions convertOptions;
+  const CLI::App *      convert = addConvertCommand(program, convertOptions);
   QualityCommandOptions qualityOptions;
   const CLI::App *      quality = addQualityCommand(program, qualityOptions);
   std::string           sampleFolder;
@@ -195,6 +227,10 @@ run(int argc, char ** argv)
   if (check->parsed())
   {
     return runGuarded([&] { runCheckCommand(checkOptions); });
+  }
+  if (convert->parsed())
+  {
+    return runGuarded([&] { runConvertCommand(convertOptions); });
   }
   if (quality->parsed())
   {

@@ -3,13 +3,13 @@
 #include "CommandErrors.h"
 #include "MeshReport.h"
 #include "SameFile.h"
+#include "ScaledJacobians.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/Sha256.h"
 #include "moserhex/Quality/CellLabels.h"
-#include "moserhex/Quality/HexQuality.h"
 
 #include <itkMultiThreaderBase.h>
 
@@ -26,8 +26,8 @@ requireUsableNames(const MeshCommandOptions & options)
 {
   if (!isHexMeshName(options.output))
   {
-    throw UsageError(
-      fileMessage(options.output, "not a mesh file's name", "give an OUTPUT that ends with .vtu or .vtk"));
+    throw UsageError(fileMessage(
+      options.output, "not a mesh file's name", std::string("give an OUTPUT that ends with ") + hexMeshEndings));
   }
   if (!options.density.empty() && options.stage != "exact")
   {
@@ -74,11 +74,7 @@ HexMeshFields
 fieldsOf(const HexMesh & mesh, const ChosenSolid & solid, unsigned int threads)
 {
   HexMeshFields fields;
-  fields.scaledJacobian.reserve(mesh.cellCount());
-  for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
-  {
-    fields.scaledJacobian.push_back(hexCellQuality(cellCorners(mesh, cell)).scaledJacobian);
-  }
+  fields.scaledJacobian = scaledJacobiansOf(mesh);
   if (solid.labels.size() > 1)
   {
     fields.label = labelsOfCells(mesh, labelValuesOf(*solid.image.image), threads);

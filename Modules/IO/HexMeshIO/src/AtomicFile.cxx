@@ -124,26 +124,9 @@ AtomicFile::~AtomicFile()
 }
 
 void
-AtomicFile::commit()
+AtomicFile::writeText(const std::string & text) const
 {
-  flushToDisk(m_PartName, m_FinalName, 0);
-  if (::rename(m_PartName.c_str(), m_FinalName.c_str()) != 0)
-  {
-    throw IOError(ErrorCode::InputOutput,
-                  m_FinalName,
-                  "cannot rename the new file (" + reason(errno) + ")",
-                  "check the folder's permissions");
-  }
-  m_Committed = true;
-  const std::string folder = fs::path(m_FinalName).parent_path().string();
-  flushToDisk(folder.empty() ? "." : folder, m_FinalName, O_DIRECTORY);
-}
-
-void
-writeTextFile(const std::string & fileName, const std::string & text)
-{
-  AtomicFile  file(fileName);
-  const int   descriptor = ::open(file.partName().c_str(), O_WRONLY | O_CLOEXEC);
+  const int   descriptor = ::open(m_PartName.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
   std::size_t written = 0;
   int         failed = descriptor < 0 ? errno : 0;
   while (failed == 0 && written < text.size())
@@ -165,10 +148,33 @@ writeTextFile(const std::string & fileName, const std::string & text)
   if (failed != 0)
   {
     throw IOError(ErrorCode::InputOutput,
-                  fileName,
+                  m_FinalName,
                   "cannot write (" + reason(failed) + ")",
                   "free some space or choose another folder");
   }
+}
+
+void
+AtomicFile::commit()
+{
+  flushToDisk(m_PartName, m_FinalName, 0);
+  if (::rename(m_PartName.c_str(), m_FinalName.c_str()) != 0)
+  {
+    throw IOError(ErrorCode::InputOutput,
+                  m_FinalName,
+                  "cannot rename the new file (" + reason(errno) + ")",
+                  "check the folder's permissions");
+  }
+  m_Committed = true;
+  const std::string folder = fs::path(m_FinalName).parent_path().string();
+  flushToDisk(folder.empty() ? "." : folder, m_FinalName, O_DIRECTORY);
+}
+
+void
+writeTextFile(const std::string & fileName, const std::string & text)
+{
+  AtomicFile file(fileName);
+  file.writeText(text);
   file.commit();
 }
 

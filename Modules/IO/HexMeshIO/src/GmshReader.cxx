@@ -2,6 +2,7 @@
 #include "HexCellCollector.h"
 #include "HexCellFormats.h"
 
+#include <algorithm>
 #include <map>
 
 namespace moserhex
@@ -92,6 +93,7 @@ public:
         m_Text.skipBehind(end);
       }
     }
+    addHexahedraInOrder();
     return m_Cells.finish();
   }
 
@@ -220,8 +222,8 @@ private:
       const std::size_t   count = nextCount("elements", static_cast<std::size_t>(kind.nodes + 1));
       for (std::size_t element = 0; element < count; ++element)
       {
-        (void)next<std::uint64_t>("an element number");
-        readElement<std::uint64_t>(type, kind);
+        const auto number = next<std::uint64_t>("an element number");
+        readElement<std::uint64_t>(number, type, kind);
       }
     }
   }
@@ -254,10 +256,10 @@ private:
   std::uint64_t
   readElementLine2()
   {
-    (void)next<std::int32_t>("an element number");
+    const auto number = static_cast<std::uint64_t>(next<std::int32_t>("an element number"));
     const auto type = next<std::int32_t>("an element type");
     skipTags(next<std::int32_t>("the number of tags"));
-    readElement<std::int32_t>(type, kindOf(type));
+    readElement<std::int32_t>(number, type, kindOf(type));
     return 1;
   }
 
@@ -274,9 +276,9 @@ private:
     }
     for (std::int32_t element = 0; element < count; ++element)
     {
-      (void)next<std::int32_t>("an element number");
+      const auto number = static_cast<std::uint64_t>(next<std::int32_t>("an element number"));
       skipTags(tags);
-      readElement<std::int32_t>(type, kindOf(type));
+      readElement<std::int32_t>(number, type, kindOf(type));
     }
     return static_cast<std::uint64_t>(count);
   }
@@ -303,7 +305,7 @@ private:
 
   template <typename TTag>
   void
-  readElement(std::int32_t type, const ElementKind & kind)
+  readElement(std::uint64_t number, std::int32_t type, const ElementKind & kind)
   {
     std::array<HexCellCollector::NodeTag, 8> tags{};
     for (int node = 0; node < kind.nodes; ++node)
@@ -316,7 +318,7 @@ private:
     }
     if (type == hexahedronType)
     {
-      m_Cells.addHexahedron(tags);
+      m_Hexahedra.push_back({ number, tags });
     }
     else
     {
@@ -324,10 +326,30 @@ private:
     }
   }
 
-  FileText         m_Text;
-  HexCellCollector m_Cells;
-  bool             m_Version4{ true };
-  bool             m_Binary{ false };
+  /** By their numbers: MSH 4.1 lists elements by entity, which tears a lattice's cells apart. */
+  void
+  addHexahedraInOrder()
+  {
+    std::stable_sort(m_Hexahedra.begin(), m_Hexahedra.end(), [](const Hexahedron & a, const Hexahedron & b) {
+      return a.number < b.number;
+    });
+    for (const Hexahedron & hexahedron : m_Hexahedra)
+    {
+      m_Cells.addHexahedron(hexahedron.nodes);
+    }
+  }
+
+  struct Hexahedron
+  {
+    std::uint64_t                            number;
+    std::array<HexCellCollector::NodeTag, 8> nodes;
+  };
+
+  FileText                m_Text;
+  HexCellCollector        m_Cells;
+  std::vector<Hexahedron> m_Hexahedra;
+  bool                    m_Version4{ true };
+  bool                    m_Binary{ false };
 };
 
 } // namespace

@@ -1,29 +1,14 @@
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
 #include "FileNames.h"
-#include "VtkMessages.h"
+#include "HexMeshFormats.h"
 #include "moserhex/Common/Errors.h"
-#include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
-#include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkStringArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridWriter.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 namespace moserhex
 {
@@ -87,192 +72,43 @@ checkedVolumeRatios(const HexMesh & mesh, const HexMeshFields & fields)
   return ratios;
 }
 
-/** Shell of every cell: N - (layers of cells between it and the surface). */
-vtkSmartPointer<vtkIntArray>
-shellOfCells(int nodesPerSide)
+bool
+isVtkName(const std::string & fileName)
 {
-  const int  m = nodesPerSide - 1;
-  const int  shells = nodesPerSide / 2;
-  const auto layers = [m](int index) { return std::min(index, m - 1 - index); };
-  auto       array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName("Shell");
-  for (int k = 0; k < m; ++k)
-  {
-    for (int j = 0; j < m; ++j)
-    {
-      for (int i = 0; i < m; ++i)
-      {
-        array->InsertNextValue(shells - std::min({ layers(i), layers(j), layers(k) }));
-      }
-    }
-  }
-  return array;
+  return endsWithAny(fileName, { ".vtu", ".vtk" });
 }
 
-vtkSmartPointer<vtkIntArray>
-latticeIndices(int nodesPerSide)
+/** \param fileName  an ending of a text format */
+std::string
+textOf(const std::string & fileName, const HexMeshContent & content, const HexMeshWriterOptions & options)
 {
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName("LatticeIndex");
-  array->SetNumberOfComponents(3);
-  for (int k = 0; k < nodesPerSide; ++k)
+  if (endsWith(fileName, ".msh"))
   {
-    for (int j = 0; j < nodesPerSide; ++j)
-    {
-      for (int i = 0; i < nodesPerSide; ++i)
-      {
-        array->InsertNextTuple3(i, j, k);
-      }
-    }
+    return gmshText(content, options.gmshVersion);
   }
-  return array;
+  if (endsWith(fileName, ".mesh"))
+  {
+    return meditText(content);
+  }
+  return endsWith(fileName, ".inp") ? abaqusText(content) : febioText(content);
 }
 
-vtkSmartPointer<vtkIntArray>
-labelArray(const std::vector<std::int32_t> & labels)
+[[noreturn]] void
+throwReadsBackDifferently(const AtomicFile & file)
 {
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName("Label");
-  for (const std::int32_t label : labels)
-  {
-    array->InsertNextValue(label);
-  }
-  return array;
+  throw IOError(ErrorCode::InputOutput,
+                file.finalName(),
+                "the mesh reads back differently",
+                "free some space or choose another folder");
 }
 
-vtkSmartPointer<vtkDoubleArray>
-scalarArray(const char * name, const std::vector<double> & values)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  return array;
-}
-
-vtkSmartPointer<vtkDoubleArray>
-vectorArray(const char * name, const Positions & values)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  for (const Vector3 & value : values)
-  {
-    array->InsertNextTuple(value.data());
-  }
-  return array;
-}
-
-/** A fresh grid for each file: what an earlier writer cached in the arrays would change the bytes. */
-vtkSmartPointer<vtkUnstructuredGrid>
-makeGrid(const HexMesh & mesh, const HexMeshFields & fields, const std::vector<double> & volumeRatios)
-{
-  auto              grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetData(vectorArray("Points", mesh.nodes));
-  grid->SetPoints(points);
-  grid->Allocate(static_cast<vtkIdType>(mesh.cellCount()));
-  for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
-  {
-    std::array<vtkIdType, 8> ids{};
-    const auto               nodes = mesh.cellNodes(cell);
-    std::transform(nodes.begin(), nodes.end(), ids.begin(), [](std::size_t id) { return static_cast<vtkIdType>(id); });
-    grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
-  }
-  grid->GetPointData()->AddArray(latticeIndices(mesh.nodesPerSide));
-  if (!fields.cubeCoordinates.empty())
-  {
-    grid->GetPointData()->AddArray(vectorArray("CubeCoordinate", fields.cubeCoordinates));
-  }
-  grid->GetCellData()->AddArray(shellOfCells(mesh.nodesPerSide));
-  grid->GetCellData()->AddArray(scalarArray("VolumeRatio", volumeRatios));
-  if (!fields.scaledJacobian.empty())
-  {
-    grid->GetCellData()->AddArray(scalarArray("ScaledJacobian", fields.scaledJacobian));
-  }
-  if (!fields.label.empty())
-  {
-    grid->GetCellData()->AddArray(labelArray(fields.label));
-  }
-  return grid;
-}
-
-/** Cached ranges make the legacy writer add METADATA blocks, which Gmsh refuses. */
-void
-clearArrayInformation(vtkUnstructuredGrid & grid)
-{
-  grid.GetPoints()->GetData()->GetInformation()->Clear();
-  for (vtkFieldData * data :
-       { static_cast<vtkFieldData *>(grid.GetPointData()), static_cast<vtkFieldData *>(grid.GetCellData()) })
-  {
-    for (int array = 0; array < data->GetNumberOfArrays(); ++array)
-    {
-      data->GetAbstractArray(array)->GetInformation()->Clear();
-    }
-  }
-}
-
-template <typename TWriter>
-void
-runWriter(TWriter & writer, const std::string & finalName)
-{
-  const VtkMessages messages;
-  const int         succeeded = writer.Write();
-  const auto        code = writer.GetErrorCode();
-  if (succeeded == 0 || code != 0 || !messages.firstError().empty())
-  {
-    // Codes below VTK's own are those of errno, and say more than VTK's messages.
-    const bool        isErrno = code != 0 && code < vtkErrorCode::FirstVTKErrorCode;
-    const std::string words =
-      messages.firstError().empty() ? "VTK error " + std::to_string(code) : messages.firstError();
-    const std::string detail = isErrno ? std::strerror(static_cast<int>(code)) : words;
-    throw IOError(ErrorCode::InputOutput,
-                  finalName,
-                  "cannot write the mesh (" + detail + ")",
-                  "free some space or choose another folder");
-  }
-}
-
-void
-writeXml(const AtomicFile & file, vtkUnstructuredGrid & grid, const HexMeshWriterOptions & options)
-{
-  if (options.spaceTag)
-  {
-    vtkNew<vtkStringArray> space;
-    space->SetName("SPACE");
-    space->InsertNextValue("LPS");
-    grid.GetFieldData()->AddArray(space);
-  }
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(file.partName().c_str());
-  writer->SetInputData(&grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1); // coordinates hardly get smaller with more work
-  runWriter(*writer, file.finalName());
-}
-
-void
-writeLegacy(const AtomicFile & file, vtkUnstructuredGrid & grid)
-{
-  vtkNew<vtkUnstructuredGridWriter> writer;
-  writer->SetFileName(file.partName().c_str());
-  writer->SetInputData(&grid);
-  writer->SetFileVersion(42);
-  writer->SetFileTypeToBinary();
-  writer->SetHeader("MoserHex hexahedral mesh; SPACE=LPS");
-  clearArrayInformation(grid);
-  runWriter(*writer, file.finalName());
-}
-
+/** Coordinates of .inp have 17 places at least, all others come back to the last bit. */
 void
 requireSame(const AtomicFile & file, const HexMesh & mesh)
 {
-  const auto sameBits = [](const Vector3 & a, const Vector3 & b) {
-    return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+  const bool rounded = endsWith(file.finalName(), ".inp");
+  const auto same = [rounded](const Vector3 & a, const Vector3 & b) {
+    return rounded ? (a - b).cwiseAbs().maxCoeff() <= 1e-15 : std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
   };
   try
   {
@@ -280,7 +116,7 @@ requireSame(const AtomicFile & file, const HexMesh & mesh)
     options.sandbox = false; // a file of our own, in a program that may be busy with threads
     const HexMesh read = readHexMesh(file.partName(), options);
     if (read.nodesPerSide == mesh.nodesPerSide &&
-        std::equal(mesh.nodes.begin(), mesh.nodes.end(), read.nodes.begin(), read.nodes.end(), sameBits))
+        std::equal(mesh.nodes.begin(), mesh.nodes.end(), read.nodes.begin(), read.nodes.end(), same))
     {
       return;
     }
@@ -289,10 +125,19 @@ requireSame(const AtomicFile & file, const HexMesh & mesh)
   {
     // Reported below, under the file's own name.
   }
-  throw IOError(ErrorCode::InputOutput,
-                file.finalName(),
-                "the mesh reads back differently",
-                "free some space or choose another folder");
+  throwReadsBackDifferently(file);
+}
+
+/** For .feb, which no reader of ours takes. */
+void
+requireSameBytes(const AtomicFile & file, const std::string & text)
+{
+  std::ifstream     stream(file.partName(), std::ios::binary);
+  const std::string read{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  if (read != text)
+  {
+    throwReadsBackDifferently(file);
+  }
 }
 
 } // namespace
@@ -300,7 +145,7 @@ requireSame(const AtomicFile & file, const HexMesh & mesh)
 bool
 isHexMeshName(const std::string & fileName)
 {
-  return endsWithAny(fileName, { ".vtu", ".vtk" });
+  return isVtkName(fileName) || endsWithAny(fileName, { ".msh", ".inp", ".mesh", ".feb" });
 }
 
 void
@@ -311,20 +156,25 @@ writeHexMesh(const std::string &          fileName,
 {
   if (!isHexMeshName(fileName))
   {
-    throw BadInput(
-      ErrorCode::Usage, fileName, "meshes are written as VTK files", "give a name that ends with .vtu or .vtk");
+    throw BadInput(ErrorCode::Usage,
+                   fileName,
+                   "not a mesh file's name",
+                   std::string("give a name that ends with ") + hexMeshEndings);
   }
-  const auto grid = makeGrid(mesh, fields, checkedVolumeRatios(mesh, fields));
-  AtomicFile file(fileName);
-  if (endsWith(fileName, ".vtu"))
+  std::vector<double>  ratios = checkedVolumeRatios(mesh, fields);
+  const HexMeshContent content{ mesh, fields, std::move(ratios), shellOfCells(mesh.nodesPerSide) };
+  AtomicFile           file(fileName);
+  if (isVtkName(fileName))
   {
-    writeXml(file, *grid, options);
+    writeVtkMesh(file, content, options);
+    requireSame(file, mesh);
   }
   else
   {
-    writeLegacy(file, *grid);
+    const std::string text = textOf(fileName, content, options);
+    file.writeText(text);
+    endsWith(fileName, ".feb") ? requireSameBytes(file, text) : requireSame(file, mesh);
   }
-  requireSame(file, mesh);
   file.commit();
 }
 

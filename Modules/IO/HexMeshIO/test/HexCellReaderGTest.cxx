@@ -227,6 +227,17 @@ TEST(HexCellReader, WrittenLatticeIsReadAsOne)
   }
 }
 
+TEST(HexCellReader, GmshCellsComeInTheOrderOfTheirNumbers)
+{
+  std::string text = replaced(cubeMsh22, "$Elements\n2", "$Elements\n3");
+  text =
+    replaced(text, "2 5 2 0 0 11 22 33 44 5 6 7 8\n", "7 5 2 0 0 5 6 7 8 11 22 33 44\n2 5 2 0 0 11 22 33 44 5 6 7 8\n");
+  const HexCellFile file = readText("a.msh", text);
+  ASSERT_EQ(file.mesh.cells.size(), 2U);
+  EXPECT_EQ(file.mesh.cells[0], (std::array<std::size_t, 8>{ 0, 1, 2, 3, 4, 5, 6, 7 }));
+  EXPECT_EQ(file.mesh.cells[1], (std::array<std::size_t, 8>{ 4, 5, 6, 7, 0, 1, 2, 3 }));
+}
+
 TEST(HexCellReader, LegacyFileInRasIsTurnedIntoLps)
 {
   const HexCellFile file = readText("a.vtk", replaced(cubeVtk, "title", "3D Slicer output. SPACE=RAS"));

@@ -33,6 +33,10 @@ public:
     return m_FinalName;
   }
 
+  /** Makes the text the content of the part. \throws IOError */
+  void
+  writeText(const std::string & text) const;
+
   /** \throws IOError  the part is missing, or flushing or renaming failed; then the final name is as before */
   void
   commit();

@@ -24,7 +24,7 @@ isHexCellName(const std::string & fileName);
 /** Reads the 8-node hexahedra of a mesh that any tool has written.
  *
  *   .vtu .vtk   VTK unstructured grid; SPACE=RAS is turned into LPS
- *   .msh        Gmsh 2.x and 4.1, ASCII and little-endian binary
+ *   .msh        Gmsh 2.x and 4.1, ASCII and little-endian binary; cells in the order of their numbers
  *   .mesh       MEDIT, ASCII
  *   .inp        Abaqus and CalculiX: *NODE, *ELEMENT of a type C3D8..., without *INCLUDE, generated nodes or elements,
  *               coordinate systems and moved instances

@@ -1,18 +1,23 @@
 #pragma once
 
 #include "moserhex/Geometry/HexMesh.h"
-#include "moserhex/HexMeshIO/FileErrors.h"
-#include "moserhex/HexMeshIO/ReadOptions.h"
+#include "moserhex/HexMeshIO/HexCellReader.h"
 
 #include <string>
 
 namespace moserhex
 {
 
-/** Reads a lattice mesh written by writeHexMesh (.vtu or .vtk).
+/** The lattice that a mesh is, numbered and connected as in HexMesh.
  *
- * \throws BadInput  missing or damaged file, not n^3 nodes and (n-1)^3 hexahedra, another connectivity than the
- *                   lattice's, or a coordinate that is not finite; the child process that read it died
+ * \param fileName  named in the message
+ * \throws BadInput  not n^3 nodes and (n-1)^3 hexahedra, or another connectivity than the lattice's (NotHexahedra) */
+[[nodiscard]] HexMesh
+latticeOf(const UnstructuredHexMesh & mesh, const std::string & fileName);
+
+/** Reads a lattice mesh written by writeHexMesh, or another tool's in the same order (.vtu .vtk .msh .mesh .inp).
+ *
+ * \throws BadInput  as readHexCells and latticeOf
  * \throws IOError   the file cannot be opened or read */
 [[nodiscard]] HexMesh
 readHexMesh(const std::string & fileName, const ReadOptions & options = {});

@@ -19,24 +19,45 @@ struct HexMeshFields
   std::vector<std::int32_t> label; ///< per cell, written as Label; empty: left out
 };
 
-struct HexMeshWriterOptions
+enum class GmshVersion
 {
-  bool spaceTag{ true }; ///< .vtu only: field array SPACE = "LPS", which Slicer wants and meshio does not read
+  Msh41,
+  Msh22
 };
 
-/** Whether the name ends with .vtu or .vtk (any case). */
+struct HexMeshWriterOptions
+{
+  bool        spaceTag{ true }; ///< .vtu only: field array SPACE = "LPS", which Slicer wants and meshio does not read
+  GmshVersion gmshVersion{ GmshVersion::Msh41 }; ///< .msh only
+};
+
+/** The endings that writeHexMesh takes, for messages and help texts. */
+inline constexpr const char * hexMeshEndings = ".vtu .vtk .msh .inp .mesh or .feb";
+
+/** Whether the name ends with one of hexMeshEndings (any case). */
 [[nodiscard]] bool
 isHexMeshName(const std::string & fileName);
 
-/** Writes a mesh as .vtu (appended, zlib) or legacy .vtk (version 4.2, binary, SPACE=LPS in its second line, neither
- * METADATA nor string arrays), complete or not at all.
+/** Writes a mesh in the format of the name's ending, complete or not at all.
  *
- * Point data: LatticeIndex (i,j,k). Cell data: Shell (N outermost), VolumeRatio, and what `fields` adds. Coordinates
- * are doubles in LPS millimetres. The file is read back and compared (nodes, connectivity, coordinates to the last
- * bit) before it gets its name. The same mesh gives the same bytes.
+ *   .vtu    VTK, appended, zlib
+ *   .vtk    VTK legacy 4.2, binary, SPACE=LPS in its second line, neither METADATA nor string arrays
+ *   .msh    Gmsh 4.1, or 2.2 by the options, ASCII; physical groups: faces and shells
+ *   .inp    Abaqus and CalculiX: C3D8, element sets ALL SHELL_1 ... SHELL_N, node sets ALL and the faces
+ *   .mesh   MEDIT, ASCII; references: 1 to 6 of the faces' quadrilaterals, shell of the hexahedra
+ *   .feb    FEBio 4.0: one part a shell, node sets and surfaces of the faces, a placeholder for the material
+ *
+ * Faces: FACE_I0 FACE_I1 FACE_J0 FACE_J1 FACE_K0 FACE_K1, nodes with i = 0, i = n-1, j = 0, ...; shells: 1 in the
+ * middle to N = n/2 outermost. Numbers of nodes and cells in text formats are those of the lattice plus 1.
+ *
+ * In .vtu, .vtk and .msh, point data: LatticeIndex (i,j,k), cell data: Shell, VolumeRatio (volume over the mean), and
+ * what `fields` adds; in .msh a face's quadrilateral has the data of its cell. Coordinates are in LPS millimetres and
+ * come back to the last bit; those of .inp have 20 characters at most, the formats' limit, and come back to 1e-15 mm.
+ * The file is read back and compared (nodes, connectivity, coordinates; .feb byte by byte) before it gets its name. The
+ * same mesh gives the same bytes. Text formats take memory for the whole file.
  *
  * \throws InvalidInput  sizes do not fit, a coordinate is not finite, or the mean cell volume is not positive
- * \throws BadInput      the name ends with neither .vtu nor .vtk
+ * \throws BadInput      the name has none of the endings
  * \throws IOError       the file cannot be written (disk full, no permission) or reads back differently */
 void
 writeHexMesh(const std::string &          fileName,

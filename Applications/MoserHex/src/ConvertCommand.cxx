@@ -1,0 +1,61 @@
+#include "ConvertCommand.h"
+
+#include "CommandErrors.h"
+#include "Console.h"
+#include "SameFile.h"
+#include "ScaledJacobians.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
+
+#include <cstdio>
+
+namespace moserhex::app
+{
+namespace
+{
+
+void
+requireUsableOptions(const ConvertCommandOptions & options)
+{
+  if (!isHexMeshName(options.output))
+  {
+    throw UsageError(fileMessage(
+      options.output, "not a mesh file's name", std::string("give an OUTPUT that ends with ") + hexMeshEndings));
+  }
+  if (sameFile(options.input, options.output))
+  {
+    throw UsageError(fileMessage(options.input, "would be overwritten", "give another name for the output"));
+  }
+}
+
+HexMeshWriterOptions
+writerOptions(const ConvertCommandOptions & options)
+{
+  HexMeshWriterOptions result;
+  result.gmshVersion = options.gmshVersion == "2.2" ? GmshVersion::Msh22 : GmshVersion::Msh41;
+  return result;
+}
+
+} // namespace
+
+void
+runConvertCommand(const ConvertCommandOptions & options)
+{
+  requireUsableOptions(options);
+  const HexCellFile file = readHexCells(options.input, { options.sandbox });
+  const HexMesh     mesh = latticeOf(file.mesh, options.input);
+  HexMeshFields     fields;
+  fields.scaledJacobian = scaledJacobiansOf(mesh);
+  writeHexMesh(options.output, mesh, fields, writerOptions(options));
+  for (const std::string & warning : file.warnings)
+  {
+    printWarning(warning);
+  }
+  if (!options.quiet)
+  {
+    std::printf("%s: %zu nodes, %zu cells\n", options.output.c_str(), mesh.nodes.size(), mesh.cellCount());
+  }
+}
+
+} // namespace moserhex::app
