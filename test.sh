@@ -6,7 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/common.sh
 
-packages="$packages clang-format-14"
+# Independent readers of what is written; tests of them skip, saying so, where they are absent.
+packages="$packages clang-format-14 calculix-ccx gmsh python3-meshio"
 install_packages
 use_ccache
 check_formatting
