@@ -93,11 +93,11 @@ TEST_F(ConvertCommand, RefusesWithTheExitCodesOfTheOthers)
 
 TEST_F(ConvertCommand, FullDiskKeepsTheOldFile)
 {
-  for (const char * name : { "b.msh", "b.inp", "b.mesh", "b.feb" })
+  for (const char * name : { "b.msh", "b.inp", "b.mesh", "b.feb", "b.exo" })
   {
     std::ofstream(path(name)) << "old";
     expectErrorCode(run({ "convert", path("a.vtu"), path(name) }, 2000), "E_IO");
     EXPECT_EQ(contentOf(path(name)), "old");
   }
-  EXPECT_EQ(fileCount(), 5U);
+  EXPECT_EQ(fileCount(), 6U);
 }

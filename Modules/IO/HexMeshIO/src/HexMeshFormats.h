@@ -38,4 +38,7 @@ meditText(const HexMeshContent & content);
 [[nodiscard]] std::string
 febioText(const HexMeshContent & content);
 
+[[nodiscard]] std::string
+exodusBytes(const HexMeshContent & content);
+
 } // namespace moserhex

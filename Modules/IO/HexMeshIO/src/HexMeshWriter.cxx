@@ -78,9 +78,9 @@ isVtkName(const std::string & fileName)
   return endsWithAny(fileName, { ".vtu", ".vtk" });
 }
 
-/** \param fileName  an ending of a text format */
+/** \param fileName  an ending other than VTK's */
 std::string
-textOf(const std::string & fileName, const HexMeshContent & content, const HexMeshWriterOptions & options)
+bytesOf(const std::string & fileName, const HexMeshContent & content, const HexMeshWriterOptions & options)
 {
   if (endsWith(fileName, ".msh"))
   {
@@ -90,7 +90,11 @@ textOf(const std::string & fileName, const HexMeshContent & content, const HexMe
   {
     return meditText(content);
   }
-  return endsWith(fileName, ".inp") ? abaqusText(content) : febioText(content);
+  if (endsWith(fileName, ".inp"))
+  {
+    return abaqusText(content);
+  }
+  return endsWith(fileName, ".feb") ? febioText(content) : exodusBytes(content);
 }
 
 [[noreturn]] void
@@ -128,13 +132,13 @@ requireSame(const AtomicFile & file, const HexMesh & mesh)
   throwReadsBackDifferently(file);
 }
 
-/** For .feb, which no reader of ours takes. */
+/** For .feb and .exo, which no reader of ours takes. */
 void
-requireSameBytes(const AtomicFile & file, const std::string & text)
+requireSameBytes(const AtomicFile & file, const std::string & bytes)
 {
   std::ifstream     stream(file.partName(), std::ios::binary);
   const std::string read{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-  if (read != text)
+  if (read != bytes)
   {
     throwReadsBackDifferently(file);
   }
@@ -145,7 +149,7 @@ requireSameBytes(const AtomicFile & file, const std::string & text)
 bool
 isHexMeshName(const std::string & fileName)
 {
-  return isVtkName(fileName) || endsWithAny(fileName, { ".msh", ".inp", ".mesh", ".feb" });
+  return isVtkName(fileName) || endsWithAny(fileName, { ".msh", ".inp", ".mesh", ".feb", ".exo" });
 }
 
 void
@@ -171,9 +175,9 @@ writeHexMesh(const std::string &          fileName,
   }
   else
   {
-    const std::string text = textOf(fileName, content, options);
-    file.writeText(text);
-    endsWith(fileName, ".feb") ? requireSameBytes(file, text) : requireSame(file, mesh);
+    const std::string bytes = bytesOf(fileName, content, options);
+    file.writeText(bytes);
+    isHexCellName(fileName) ? requireSame(file, mesh) : requireSameBytes(file, bytes);
   }
   file.commit();
 }

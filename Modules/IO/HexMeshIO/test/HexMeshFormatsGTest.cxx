@@ -223,7 +223,7 @@ class HexMeshFormats : public testing::TestWithParam<const char *>
 {};
 INSTANTIATE_TEST_SUITE_P(Formats,
                          HexMeshFormats,
-                         testing::Values("mesh.msh", "mesh.inp", "mesh.mesh", "mesh.feb"),
+                         testing::Values("mesh.msh", "mesh.inp", "mesh.mesh", "mesh.feb", "mesh.exo"),
                          endingOf);
 
 TEST_P(HexMeshFormats, SameMeshGivesTheSameBytes)

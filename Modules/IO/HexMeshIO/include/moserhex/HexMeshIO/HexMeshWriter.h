@@ -32,7 +32,7 @@ struct HexMeshWriterOptions
 };
 
 /** The endings that writeHexMesh takes, for messages and help texts. */
-inline constexpr const char * hexMeshEndings = ".vtu .vtk .msh .inp .mesh or .feb";
+inline constexpr const char * hexMeshEndings = ".vtu .vtk .msh .inp .mesh .feb or .exo";
 
 /** Whether the name ends with one of hexMeshEndings (any case). */
 [[nodiscard]] bool
@@ -46,15 +46,17 @@ isHexMeshName(const std::string & fileName);
  *   .inp    Abaqus and CalculiX: C3D8, element sets ALL SHELL_1 ... SHELL_N, node sets ALL and the faces
  *   .mesh   MEDIT, ASCII; references: 1 to 6 of the faces' quadrilaterals, shell of the hexahedra
  *   .feb    FEBio 4.0: one part a shell, node sets and surfaces of the faces, a placeholder for the material
+ *   .exo    Exodus II: one block a shell, node sets and side sets of the faces, one time step
  *
  * Faces: FACE_I0 FACE_I1 FACE_J0 FACE_J1 FACE_K0 FACE_K1, nodes with i = 0, i = n-1, j = 0, ...; shells: 1 in the
- * middle to N = n/2 outermost. Numbers of nodes and cells in text formats are those of the lattice plus 1.
+ * middle to N = n/2 outermost. Numbers of nodes and cells are those of the lattice plus 1 (Exodus II: in its maps of
+ * numbers).
  *
- * In .vtu, .vtk and .msh, point data: LatticeIndex (i,j,k), cell data: Shell, VolumeRatio (volume over the mean), and
- * what `fields` adds; in .msh a face's quadrilateral has the data of its cell. Coordinates are in LPS millimetres and
- * come back to the last bit; those of .inp have 20 characters at most, the formats' limit, and come back to 1e-15 mm.
- * The file is read back and compared (nodes, connectivity, coordinates; .feb byte by byte) before it gets its name. The
- * same mesh gives the same bytes. Text formats take memory for the whole file.
+ * In .vtu, .vtk, .msh and .exo, point data: LatticeIndex (i,j,k), cell data: Shell, VolumeRatio (volume over the mean),
+ * and what `fields` adds; in .msh a face's quadrilateral has the data of its cell. Coordinates are in LPS millimetres
+ * and come back to the last bit; those of .inp have 20 characters at most, the formats' limit, and come back to 1e-15
+ * mm. The file is read back and compared (nodes, connectivity, coordinates; .feb and .exo byte by byte) before it gets
+ * its name. The same mesh gives the same bytes. All but VTK's formats take memory for the whole file.
  *
  * \throws InvalidInput  sizes do not fit, a coordinate is not finite, or the mean cell volume is not positive
  * \throws BadInput      the name has none of the endings
