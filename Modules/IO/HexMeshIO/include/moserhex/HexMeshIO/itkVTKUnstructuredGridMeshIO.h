@@ -1,0 +1,132 @@
+#ifndef itkVTKUnstructuredGridMeshIO_h
+#define itkVTKUnstructuredGridMeshIO_h
+
+#include <itkMeshIOBase.h>
+#include <itkObjectFactoryBase.h>
+
+#include <string>
+#include <vector>
+
+#ifndef itkOverrideGetNameOfClassMacro // ITK before 5.4
+#define itkOverrideGetNameOfClassMacro(thisClass)                                                                      \
+  const char * GetNameOfClass() const override                                                                         \
+  {                                                                                                                    \
+    return #thisClass;                                                                                                 \
+  }
+#endif
+
+namespace itk
+{
+
+/** \class VTKUnstructuredGridMeshIO
+ * \brief Legacy VTK files (.vtk) with an unstructured grid, for MeshFileWriter and MeshFileReader.
+ *
+ * ITK's own VTKPolyDataMeshIO writes no volume cells. This one writes vertices, lines, triangles, quadrilaterals,
+ * polygons, tetrahedra and hexahedra; point and cell data of any number of components as one array each, PointData and
+ * CellData. Version 4.2, SPACE=LPS in the second line, ASCII with as many digits as doubles need, or binary; complete
+ * or not at all. It reads hexahedra, as moserhex::readHexCells does; point and cell data are not read.
+ *
+ *   VTKUnstructuredGridMeshIOFactory::RegisterOneFactory();   // in front of ITK's own, for all .vtk files from then on
+ *   itk::WriteMesh(mesh, "organ.vtk");
+ *
+ * Needs the PointDimension 3. Throws moserhex::IOError and moserhex::BadInput as itk::ExceptionObject. */
+class VTKUnstructuredGridMeshIO : public MeshIOBase
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(VTKUnstructuredGridMeshIO);
+
+  using Self = VTKUnstructuredGridMeshIO;
+  using Superclass = MeshIOBase;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(VTKUnstructuredGridMeshIO);
+
+  /** A name that ends with .vtk and a file whose header says UNSTRUCTURED_GRID. */
+  bool
+  CanReadFile(const char * fileName) override;
+
+  void
+  ReadMeshInformation() override;
+
+  void
+  ReadPoints(void * buffer) override;
+
+  void
+  ReadCells(void * buffer) override;
+
+  void
+  ReadPointData(void *) override
+  {}
+
+  void
+  ReadCellData(void *) override
+  {}
+
+  /** A name that ends with .vtk. */
+  bool
+  CanWriteFile(const char * fileName) override;
+
+  void
+  WriteMeshInformation() override;
+
+  void
+  WritePoints(void * buffer) override;
+
+  void
+  WriteCells(void * buffer) override;
+
+  void
+  WritePointData(void * buffer) override;
+
+  void
+  WriteCellData(void * buffer) override;
+
+  void
+  Write() override;
+
+protected:
+  VTKUnstructuredGridMeshIO();
+  ~VTKUnstructuredGridMeshIO() override = default;
+
+private:
+  std::vector<double>        m_PointValues;     ///< x, y, z of each point
+  std::vector<SizeValueType> m_CellEntries;     ///< of ITK: geometry, number of points, their numbers
+  std::vector<double>        m_PointDataValues; ///< to be written
+  std::vector<double>        m_CellDataValues;
+};
+
+/** \class VTKUnstructuredGridMeshIOFactory
+ * \brief Makes VTKUnstructuredGridMeshIO known to ITK. */
+class VTKUnstructuredGridMeshIOFactory : public ObjectFactoryBase
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(VTKUnstructuredGridMeshIOFactory);
+
+  using Self = VTKUnstructuredGridMeshIOFactory;
+  using Superclass = ObjectFactoryBase;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkFactorylessNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(VTKUnstructuredGridMeshIOFactory);
+
+  const char *
+  GetITKSourceVersion() const override;
+
+  const char *
+  GetDescription() const override;
+
+  /** In front of the factories there are, once however often it is called. */
+  static void
+  RegisterOneFactory();
+
+protected:
+  VTKUnstructuredGridMeshIOFactory();
+  ~VTKUnstructuredGridMeshIOFactory() override = default;
+};
+
+} // namespace itk
+
+#endif
