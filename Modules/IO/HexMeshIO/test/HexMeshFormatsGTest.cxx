@@ -4,6 +4,7 @@
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
 #include "TestFolder.h"
+#include "TestLattice.h"
 
 #include <gtest/gtest.h>
 
@@ -24,35 +25,6 @@ using namespace moserhex;
 
 namespace
 {
-
-HexMesh
-bentLattice(int n)
-{
-  HexMesh mesh;
-  mesh.nodesPerSide = n;
-  for (int node = 0; node < n * n * n; ++node)
-  {
-    const int i = node % n;
-    const int j = node / n % n;
-    const int k = node / (n * n);
-    mesh.nodes.emplace_back(
-      i + 0.1 * std::sin(j), j - 100.0 / 3.0 + 0.1 * std::cos(k), 1e-5 * std::exp(i) + 1.2 * k + 0.1 * std::sin(i));
-  }
-  return mesh;
-}
-
-HexMeshFields
-someFields(const HexMesh & mesh)
-{
-  HexMeshFields fields;
-  for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
-  {
-    fields.scaledJacobian.push_back(1.0 / static_cast<double>(cell + 3));
-    fields.label.push_back(static_cast<std::int32_t>(cell % 5));
-  }
-  fields.cubeCoordinates = mesh.nodes;
-  return fields;
-}
 
 double
 volumeOf(const HexMesh & mesh)
