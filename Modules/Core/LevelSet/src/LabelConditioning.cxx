@@ -20,7 +20,8 @@ namespace moserhex
 namespace
 {
 
-constexpr double marginInNodes = 5.0; ///< at least
+constexpr double marginInNodes = 5.0;  ///< at least
+constexpr double noteworthyDice = 0.9; ///< of an ordinary label: below it a warning is due
 constexpr double marginInSigmas = 3.0;
 constexpr double smallestSigmaInNodes = 0.7;
 constexpr double largestSigmaOfThinLabels = 0.15; ///< of V^(1/3)
@@ -324,6 +325,12 @@ warningsOf(const ConditioningReport & report)
     std::ostringstream text;
     text << "resampling would have changed the topology; keeping it moved " << 100.0 * report.changedVolumeFraction
          << " % of the volume";
+    warnings.push_back(text.str());
+  }
+  if (report.dice > 0.0 && report.dice < noteworthyDice && report.rounding == 0.0)
+  {
+    std::ostringstream text;
+    text << "thin for its voxels: Dice coefficient of the smoothed solid with the label " << report.dice;
     warnings.push_back(text.str());
   }
   return warnings;

@@ -507,6 +507,16 @@ TEST(WarningsOf, SayWhatWasChangedAndNothingElse)
   EXPECT_NE(warnings[3].find("0.2 % of the volume"), std::string::npos);
 }
 
+TEST(WarningsOf, SayThatTheSmoothedSolidIsFarFromTheVoxels)
+{
+  ConditioningReport report;
+  report.dice = 0.91;
+  EXPECT_TRUE(warningsOf(report).empty());
+  report.dice = 0.89;
+  ASSERT_EQ(warningsOf(report).size(), 1u);
+  EXPECT_NE(warningsOf(report)[0].find("0.89"), std::string::npos) << warningsOf(report)[0];
+}
+
 TEST(AutomaticSpacing, FollowsTheLatticeAndResolvesThinLabels)
 {
   const double cube = 1000.0; // side 10

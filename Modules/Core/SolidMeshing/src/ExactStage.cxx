@@ -99,7 +99,9 @@ public:
       return;
     }
     const std::optional<HopelessShape> hopeless = tryTurnedFrames(progressBetween(progress, 0.3, 0.6));
-    if (!isExact() && m_Stage.options.simplerSolid)
+    // What not even a coarse lattice can follow is more than details.
+    const bool isFarOff = hopeless && hopeless->isCoarse;
+    if (!isExact() && !isFarOff && m_Stage.options.simplerSolid)
     {
       trySimplerSolid(Simplification::Rounder, progressBetween(progress, 0.6, 0.9));
     }

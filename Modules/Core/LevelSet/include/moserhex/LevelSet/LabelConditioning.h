@@ -74,7 +74,8 @@ struct ConditioningReport
 };
 
 /** What of it a user should be told, one line each: the repair of the topology, a mask closed off at the border of the
- * image, nodes changed to protect the topology. Empty when the label was taken as it is. */
+ * image, nodes changed to protect the topology, a Dice coefficient below 0.9. Empty when the label was taken as it is.
+ */
 [[nodiscard]] std::vector<std::string>
 warningsOf(const ConditioningReport & report);
 

@@ -47,10 +47,10 @@ struct AreaPreservingMapResult
  * directions on the sphere match LPS directions in the body in the least-squares sense.
  *
  * Guarantee (lastStage AreaPreserving): no flipped triangle, solid angles sum to 4 pi within 1e-9, area ratio rms <=
- * max(areaTolerance, areaLimit). Where the minimiser at options.shapeWeight misses the tolerance, eps goes down step by step until it
- * holds; the result says so in `path` and `shapeWeight`. The map does not depend on the triangle removed, on scale, or
- * on how vertices are numbered: 1e-5 degrees on smooth shapes; on crumpled ones a few vertices can have two places, up
- * to a degree apart. Rotating the surface rotates the map.
+ * max(areaTolerance, areaLimit). Where the minimiser at options.shapeWeight misses the tolerance, eps goes down step by
+ * step until it holds; the result says so in `path` and `shapeWeight`. The map does not depend on the triangle removed,
+ * on scale, or on how vertices are numbered: 1e-5 degrees on smooth shapes; on crumpled ones a few vertices can have
+ * two places, up to a degree apart. Rotating the surface rotates the map.
  *
  * \param surface  closed, oriented outwards, genus 0; triangles of zero area are allowed
  * \throws InvalidInput  not a closed sphere (V-E+F), oriented inwards, a position not finite, no area
