@@ -26,10 +26,7 @@ ByteSource::ByteSource(const std::string & fileName, Coding coding, std::uint64_
   const auto      size = std::filesystem::file_size(fileName, error);
   if (!m_File || error || !m_File.seekg(static_cast<std::streamoff>(std::min<std::uint64_t>(begin, size))))
   {
-    throw IOError(ErrorCode::InputOutput,
-                  fileName,
-                  std::string("cannot open (") + std::strerror(errno) + ")",
-                  "check the file's permissions");
+    throwUnopened(fileName, errno);
   }
   m_Left = size > begin ? size - begin : 0;
   m_Left = stored > 0 ? std::min(m_Left, stored) : m_Left;

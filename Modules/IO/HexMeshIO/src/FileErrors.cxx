@@ -1,6 +1,7 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 
 namespace moserhex
@@ -92,5 +93,17 @@ fileMessage(const std::string & file, const std::string & cause, const std::stri
 FileError::FileError(ErrorCode code, const std::string & file, const std::string & cause, const std::string & remedy)
   : Error(code, fileMessage(file, cause, remedy, longestMessage(code)))
 {}
+
+void
+throwUnopened(const std::string & fileName, int cause)
+{
+  const std::string what = std::string("cannot open (") + std::strerror(cause) + ")";
+  const std::string remedy = "check name and permissions";
+  if (cause == EACCES || cause == EPERM)
+  {
+    throw BadInput(ErrorCode::NoInput, fileName, what, remedy);
+  }
+  throw IOError(ErrorCode::InputOutput, fileName, what, remedy);
+}
 
 } // namespace moserhex

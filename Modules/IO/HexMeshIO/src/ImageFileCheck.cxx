@@ -115,6 +115,10 @@ requireRegularFile(const std::string & fileName)
 {
   std::error_code error;
   const auto      status = fs::status(fileName, error);
+  if (error == std::errc::permission_denied) // a folder on the way may not be entered
+  {
+    throwUnopened(fileName, EACCES);
+  }
   if (!fs::exists(status))
   {
     throw BadInput(ErrorCode::NoInput, fileName, "there is no such file", "check the name");
@@ -131,10 +135,7 @@ requireReadableFile(const std::string & fileName)
   requireRegularFile(fileName);
   if (!std::ifstream(fileName, std::ios::binary))
   {
-    throw IOError(ErrorCode::InputOutput,
-                  fileName,
-                  std::string("cannot open (") + std::strerror(errno) + ")",
-                  "check the file's permissions");
+    throwUnopened(fileName, errno);
   }
   if (fs::file_size(fileName) == 0)
   {

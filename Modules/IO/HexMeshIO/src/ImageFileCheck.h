@@ -42,11 +42,12 @@ imageFormatOf(const std::string & fileName);
 [[nodiscard]] bool
 isImageFileName(const std::string & fileName);
 
-/** \throws BadInput (NoInput) unless the name is an existing, regular file */
+/** \throws BadInput (NoInput) unless the name is an existing, regular file that may be reached; IOError */
 void
 requireRegularFile(const std::string & fileName);
 
-/** \throws BadInput unless the name is an existing, non-empty, regular file; IOError when it cannot be opened */
+/** \throws BadInput unless the name is an existing, non-empty, regular file that may be read; IOError when
+ * it cannot be opened for another reason */
 void
 requireReadableFile(const std::string & fileName);
 

@@ -128,10 +128,7 @@ sha256OfFile(const std::string & fileName)
   const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(fileName.c_str(), "rb"), &std::fclose);
   if (!file)
   {
-    throw IOError(ErrorCode::InputOutput,
-                  fileName,
-                  std::string("cannot open (") + std::strerror(errno) + ")",
-                  "check name and permissions");
+    throwUnopened(fileName, errno);
   }
   Sha256            hash;
   std::vector<char> buffer(1 << 16);

@@ -1,15 +1,11 @@
 // Exact: what is in the folder afterwards.
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
+#include "FullDisk.h"
 #include "TestFolder.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <gtest/gtest.h>
-
-#include <csignal>
-
-#include <sys/resource.h>
-#include <sys/wait.h>
 
 using namespace moserhex;
 
@@ -85,25 +81,6 @@ TEST(AtomicFile, SignalHandlersCanRemoveUnfinishedFiles)
 TEST(WriteTextFile, FullDiskIsReportedAndLeavesNothing)
 {
   const TestFolder folder;
-  const pid_t      child = ::fork();
-  if (child == 0)
-  {
-    // A limit on the size of files fails like a full disk does.
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{ 1000, 1000 };
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-    try
-    {
-      writeTextFile(folder / "a.txt", std::string(5000, 'x'));
-    }
-    catch (const IOError &)
-    {
-      ::_exit(42);
-    }
-    ::_exit(0);
-  }
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_EQ(WEXITSTATUS(status), 42);
+  EXPECT_TRUE(reportsFullDisk([&] { writeTextFile(folder / "a.txt", std::string(9000, 'x')); }));
   EXPECT_EQ(folder.fileCount(), 0u);
 }

@@ -2,6 +2,7 @@
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
+#include "FullDisk.h"
 #include "TestFolder.h"
 #include "TestLattice.h"
 
@@ -17,11 +18,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
-#include <csignal>
 #include <limits>
-
-#include <sys/resource.h>
-#include <sys/wait.h>
 
 using namespace moserhex;
 
@@ -73,34 +70,6 @@ expectFields(vtkUnstructuredGrid & grid, int n)
   EXPECT_EQ(grid.GetCellData()->GetArray("Label")->GetTuple1(3), 3.0);
 }
 
-/** Writes under a limit on the size of files, which fails like a full disk, in a process of its own. */
-void
-expectFullDiskReported(const std::string & name)
-{
-  const TestFolder folder;
-  const pid_t      child = ::fork();
-  if (child == 0)
-  {
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{ 5000, 5000 };
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-    try
-    {
-      writeHexMesh(folder / name, bentLattice(12));
-    }
-    catch (const IOError &)
-    {
-      ::_exit(42);
-    }
-    ::_exit(0);
-  }
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 42);
-  EXPECT_EQ(folder.fileCount(), 0u);
-}
-
 } // namespace
 
 class HexMeshFiles : public testing::TestWithParam<const char *>
@@ -144,7 +113,9 @@ TEST_P(HexMeshFiles, TruncatedFileIsRefused)
 
 TEST_P(HexMeshFiles, FullDiskIsReportedAndLeavesNothing)
 {
-  expectFullDiskReported(GetParam());
+  const TestFolder folder;
+  EXPECT_TRUE(reportsFullDisk([&] { writeHexMesh(folder / GetParam(), bentLattice(12)); }));
+  EXPECT_EQ(folder.fileCount(), 0u);
 }
 
 TEST_P(HexMeshFiles, MissingFolderIsReported)

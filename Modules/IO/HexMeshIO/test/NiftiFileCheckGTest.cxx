@@ -1,11 +1,6 @@
 // The check of NIfTI-1 headers. Places to 1e-6 mm: the header holds single precision.
-#include "../src/ImageFileCheck.h"
-#include "ImageText.h"
-#include "TestErrors.h"
-#include "moserhex/HexMeshIO/LabelImageReader.h"
+#include "ImageCheckErrors.h"
 #include "moserhex/HexMeshIO/ScalarImageReader.h"
-
-#include <gtest/gtest.h>
 
 #include <Eigen/LU>
 
@@ -135,21 +130,6 @@ errorOfText(const TestFolder & folder, const NiftiText & text)
 {
   writeBytes(folder / "a.nii", text.file());
   return errorOfFile(folder / "a.nii");
-}
-
-LabelImage
-readHere(const std::string & fileName)
-{
-  LabelReadOptions options;
-  options.sandbox = false;
-  return readLabelImage(fileName, options);
-}
-
-void
-expectTestVoxels(const LabelImage & image)
-{
-  const std::string expected = ImageText::voxels();
-  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), image.image->GetBufferPointer())) << image.fileName;
 }
 
 ImageDescription

@@ -7,7 +7,7 @@ namespace moserhex
 enum class ErrorCode
 {
   Usage,       ///< E_USAGE: the command line contradicts itself or names an unknown option
-  NoInput,     ///< E_NOINPUT: the input does not exist or is not a regular file
+  NoInput,     ///< E_NOINPUT: the input does not exist, may not be read, or is not a regular file
   Empty,       ///< E_EMPTY: the file has no bytes, or a surface has no triangles
   Format,      ///< E_FORMAT: the content is not of the format that the name promises
   Header,      ///< E_HEADER: the header contradicts itself or breaks the rules of its format

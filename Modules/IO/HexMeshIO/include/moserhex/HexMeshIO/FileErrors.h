@@ -50,4 +50,9 @@ oneLine(const std::string & text, std::size_t length);
 [[nodiscard]] std::string
 fileMessage(const std::string & file, const std::string & cause, const std::string & remedy, std::size_t longest = 200);
 
+/** The refusal of an input that could not be opened, for the system's reason `cause` (errno).
+ * \throws BadInput (NoInput)  it may not be read; IOError  any other reason */
+[[noreturn]] void
+throwUnopened(const std::string & fileName, int cause);
+
 } // namespace moserhex

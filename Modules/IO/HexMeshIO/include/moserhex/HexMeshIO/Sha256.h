@@ -29,7 +29,8 @@ private:
   std::uint64_t                m_ByteCount{ 0 };
 };
 
-/** SHA-256 of a file's content. \throws BadInput (NoInput)  no regular file; IOError  the file cannot be read */
+/** SHA-256 of a file's content. \throws BadInput (NoInput)  no regular file, or it may not be read; IOError  the file
+ * cannot be read */
 [[nodiscard]] std::string
 sha256OfFile(const std::string & fileName);
 
