@@ -1,8 +1,7 @@
 #include "ConvertCommand.h"
 
-#include "CommandErrors.h"
 #include "Console.h"
-#include "SameFile.h"
+#include "OutputName.h"
 #include "ScaledJacobians.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
@@ -14,20 +13,6 @@ namespace moserhex::app
 {
 namespace
 {
-
-void
-requireUsableOptions(const ConvertCommandOptions & options)
-{
-  if (!isHexMeshName(options.output))
-  {
-    throw UsageError(fileMessage(
-      options.output, "not a mesh file's name", std::string("give an OUTPUT that ends with ") + hexMeshEndings));
-  }
-  if (sameFile(options.input, options.output))
-  {
-    throw UsageError(fileMessage(options.input, "would be overwritten", "give another name for the output"));
-  }
-}
 
 HexMeshWriterOptions
 writerOptions(const ConvertCommandOptions & options)
@@ -42,7 +27,8 @@ writerOptions(const ConvertCommandOptions & options)
 void
 runConvertCommand(const ConvertCommandOptions & options)
 {
-  requireUsableOptions(options);
+  requireHexMeshName(options.output);
+  requireKept(options.input, options.output);
   const HexCellFile file = readHexCells(options.input, { options.sandbox });
   const HexMesh     mesh = latticeOf(file.mesh, options.input);
   HexMeshFields     fields;

@@ -2,7 +2,7 @@
 
 #include "CommandErrors.h"
 #include "MeshReport.h"
-#include "SameFile.h"
+#include "OutputName.h"
 #include "ScaledJacobians.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
@@ -24,11 +24,7 @@ namespace
 void
 requireUsableNames(const MeshCommandOptions & options)
 {
-  if (!isHexMeshName(options.output))
-  {
-    throw UsageError(fileMessage(
-      options.output, "not a mesh file's name", std::string("give an OUTPUT that ends with ") + hexMeshEndings));
-  }
+  requireHexMeshName(options.output);
   if (!options.density.empty() && options.stage != "exact")
   {
     throw UsageError("--density needs --stage exact");
@@ -37,13 +33,10 @@ requireUsableNames(const MeshCommandOptions & options)
   {
     throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");
   }
-  if (sameFile(options.density, options.output) || sameFile(options.density, options.reportFile))
+  for (const std::string & input : { options.density, options.input.file })
   {
-    throw UsageError(fileMessage(options.density, "would be overwritten", "give another name for the output"));
-  }
-  if (sameFile(options.input.file, options.output) || sameFile(options.input.file, options.reportFile))
-  {
-    throw UsageError(fileMessage(options.input.file, "would be overwritten", "give another name for the output"));
+    requireKept(input, options.output);
+    requireKept(input, options.reportFile);
   }
   if (sameFile(options.output, options.reportFile))
   {
