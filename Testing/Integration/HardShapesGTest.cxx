@@ -5,8 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace moserhex;
@@ -15,10 +20,10 @@ using namespace moserhex::integration;
 namespace
 {
 
-constexpr int side = 32;
+constexpr int defaultSide = 32;
 
 LabelVolume
-cubicLabel(const std::function<bool(const Eigen::Vector3i &)> & isInside)
+cubicLabel(const std::function<bool(const Eigen::Vector3i &)> & isInside, int side = defaultSide)
 {
   LabelVolume label;
   label.size = { { side, side, side } };
@@ -61,6 +66,33 @@ dumbbell()
   });
 }
 
+/** A ball of radius 26 voxels with three oblique slits, 3 voxels wide and 12 deep, which no frame of the cube follows.
+ */
+LabelVolume
+ballWithDeepSlits()
+{
+  struct Slit
+  {
+    Vector3 inward;
+    Vector3 across;
+  };
+  std::vector<Slit> slits;
+  for (const auto & [outward, along] : { std::pair(Vector3(1.0, 0.2, 0.1), Vector3(0.0, 1.0, 0.1)),
+                                         std::pair(Vector3(-0.6, 0.9, 0.2), Vector3(0.0, 0.0, 1.0)),
+                                         std::pair(Vector3(-0.5, -0.8, 0.3), Vector3(0.0, 1.0, 0.1)) })
+  {
+    slits.push_back({ -outward.normalized(), outward.cross(along).normalized() });
+  }
+  return cubicLabel(
+    [slits](const Eigen::Vector3i & v) {
+      const Vector3 p = v.cast<double>() - Vector3::Constant(31.5);
+      return p.norm() <= 26.0 && std::none_of(slits.begin(), slits.end(), [&p](const Slit & slit) {
+               return slit.inward.dot(p) < -14.0 && std::abs(slit.across.dot(p)) <= 1.5;
+             });
+    },
+    64);
+}
+
 Pipeline::Pointer
 exactMeshOf(const LabelVolume & label)
 {
@@ -84,6 +116,21 @@ TEST(HardShapes, AHoleNarrowerThanTheCellsIsSmoothedAwayInTheLabelsOwnFrame)
   EXPECT_NE(pipeline->GetStages().front().note.find("details are narrower than cells"), std::string::npos);
   EXPECT_EQ(result.attempts, (std::vector<std::string>{ "own frame: not exact", "smoother solid: exact" }));
   EXPECT_NE(pipeline->GetStages().back().note.find("own frame: not exact; smoother solid: exact"), std::string::npos);
+}
+
+TEST(HardShapes, SlitsThatNoFrameFollowsAreFilledInARounderSolidAsTheLastResort)
+{
+  const Pipeline::Pointer    pipeline = exactMeshOf(ballWithDeepSlits());
+  const SolidMeshingResult & result = pipeline->GetResult();
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_EQ(
+    result.attempts,
+    (std::vector<std::string>{
+      "own frame: not exact", "smoother solid: not exact", "turned frames: not exact", "rounder solid: exact" }));
+  EXPECT_GT(pipeline->GetConditioningReport().rounding, 0.0);
+  EXPECT_GE(pipeline->GetConditioningReport().dice, 0.95); // what a rounder solid keeps
+  EXPECT_LE(result.boundary.maximum, 0.5);
+  EXPECT_NEAR(qualityAfter(*pipeline, "exact").volume / pipeline->GetLabelVolume(), 1.0, 1e-9);
 }
 
 TEST(HardShapes, ASolidThatIsExactAsItIsIsNotSmoothedMore)
