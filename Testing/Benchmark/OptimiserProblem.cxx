@@ -47,7 +47,7 @@ Problem::Problem(const Case & organ, const HexMesh & lattice)
                                            CubeTransform::Basis::Cosine,
                                            [](double eigenvalue) { return 1.0 / (eigenvalue + laplacianShift); }))
   , m_Targets(unitTargetVolumes(m_Layout))
-  , m_Quads(boundaryQuads(m_Layout))
+  , m_Quads(boundaryQuads(m_Layout.connectivity()))
   , m_Start(latticeVector(m_Layout, lattice.nodes, m_Origin, m_Unit))
 {
   m_Optimiser.attraction().freeze(m_Start);

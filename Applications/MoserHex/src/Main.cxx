@@ -10,6 +10,7 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/RunReport.h"
+#include "moserhex/SolidMeshing/SolidMeshing.h"
 
 #include <CLI/CLI.hpp>
 
@@ -82,6 +83,12 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
   addOutput(*command, options.output);
   command->add_option("--shells", options.shells, "Number of shells N: (2N)^3 nodes")
     ->check(CLI::Range(2, 64))
+    ->capture_default_str();
+  command
+    ->add_option("--padding",
+                 options.padding,
+                 "Layers of pillow cells around the lattice, for finite elements: better corners; needs --stage exact")
+    ->check(CLI::Range(0, largestPadding))
     ->capture_default_str();
   addSolidOptions(*command, options.input);
   command

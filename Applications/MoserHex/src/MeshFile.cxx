@@ -29,6 +29,10 @@ requireUsableNames(const MeshCommandOptions & options)
   {
     throw UsageError("--density needs --stage exact");
   }
+  if (options.padding > 0 && options.stage != "exact")
+  {
+    throw UsageError("--padding needs --stage exact");
+  }
   if (options.way && options.stage != "exact")
   {
     throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");

@@ -16,6 +16,7 @@ struct MeshCommandOptions
   int                        shells{ 10 };
   std::string                stage{ "exact" };            ///< initial | smoothed | moser | exact
   std::optional<std::string> way;                         ///< fast (also when not given) | faithful
+  int                        padding{ 0 };                ///< layers of pillow cells around the lattice
   std::string                frame{ "anatomical" };       ///< anatomical | ridge
   std::string                density;                     ///< image of a positive density; empty: volumes
   bool                       allowPartial{ false };       ///< write a mesh that is not exact, with a warning

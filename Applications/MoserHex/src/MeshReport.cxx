@@ -91,6 +91,7 @@ startReport(const ChosenSolid & solid, const std::string & sha256, const MeshCom
   RunReport report;
   report.input = describeInput(solid, sha256);
   report.parameters.shells = options.shells;
+  report.parameters.padding = options.padding;
   report.parameters.stage = options.stage;
   report.parameters.shellMethod = options.shellMethod;
   report.parameters.way = options.stage == "exact" ? wayOf(options) : "";

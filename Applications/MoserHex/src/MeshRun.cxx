@@ -75,6 +75,7 @@ runPipeline(const ChosenSolid &        solid,
   filter->SetMaximumRepair(options.maximumRepairPercent / 100.0);
   filter->SetAllowPartial(options.allowPartial);
   filter->SetFrame(options.frame == "ridge" ? LatticeFrame::Ridge : LatticeFrame::Anatomical);
+  filter->SetPaddingLayers(options.padding);
   filter->SetDensityImage(density);
   if (options.shellMethod != "auto")
   {

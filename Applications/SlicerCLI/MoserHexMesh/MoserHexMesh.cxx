@@ -32,6 +32,7 @@ optionsOf(const ModuleArguments & arguments)
   options.output = arguments.text("outputMesh");
   options.reportFile = arguments.text("report");
   options.shells = static_cast<int>(arguments.integer("shells"));
+  options.padding = static_cast<int>(arguments.integer("padding"));
   options.topology = arguments.text("topology");
   options.maximumRepairPercent = arguments.real("maximumRepair");
   options.allowPartial = arguments.flag("allowPartial");

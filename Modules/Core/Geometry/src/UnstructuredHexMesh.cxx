@@ -27,6 +27,22 @@ faceOf(const UnstructuredHexMesh & mesh, std::size_t face)
   return result;
 }
 
+/** The lattice with so many nodes and cells, padding included, without places for its nodes. No two have the same. */
+std::optional<HexMesh>
+latticeOfSize(std::size_t nodes, std::size_t cells)
+{
+  for (int n = 2; nodeCount(n, 0) <= nodes; ++n)
+  {
+    const std::size_t layers = (nodes - nodeCount(n, 0)) / boundaryNodeCount(n);
+    const HexMesh     lattice{ n, {}, static_cast<int>(layers) };
+    if (nodeCount(n, lattice.paddingLayers) == nodes && lattice.cellCount() == cells)
+    {
+      return lattice;
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 void
@@ -75,18 +91,17 @@ unstructured(const HexMesh & mesh)
 std::optional<HexMesh>
 asLattice(const UnstructuredHexMesh & mesh)
 {
-  const auto    n = static_cast<std::size_t>(std::llround(std::cbrt(static_cast<double>(mesh.nodes.size()))));
-  const HexMesh lattice{ static_cast<int>(n), mesh.nodes };
-  if (n < 2 || n * n * n != mesh.nodes.size() || lattice.cellCount() != mesh.cells.size())
+  std::optional<HexMesh> lattice = latticeOfSize(mesh.nodes.size(), mesh.cells.size());
+  for (std::size_t cell = 0; lattice && cell < mesh.cells.size(); ++cell)
   {
-    return {};
-  }
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-  {
-    if (mesh.cells[cell] != lattice.cellNodes(cell))
+    if (mesh.cells[cell] != lattice->cellNodes(cell))
     {
       return {};
     }
+  }
+  if (lattice)
+  {
+    lattice->nodes = mesh.nodes;
   }
   return lattice;
 }

@@ -67,18 +67,19 @@ transposeInPlace(std::array<double, sampleCount> & values)
 double
 addBezierBarrier(const LatticeLayout &            layout,
                  const Eigen::VectorXd &          x,
-                 const std::vector<std::size_t> & firstNodes,
+                 const std::vector<std::size_t> & cells,
                  double                           margin,
                  double                           weight,
                  Eigen::VectorXd &                gradient)
 {
   double energy = 0.0;
-  for (const std::size_t first : firstNodes)
+  for (const std::size_t cell : cells)
   {
+    const CellNodes        nodes = layout.cellNodes(cell);
     std::array<Vector3, 8> corners;
     for (std::size_t a = 0; a < 8; ++a)
     {
-      corners[a] = layout.at(x, first + layout.corner[a]);
+      corners[a] = layout.at(x, nodes[a]);
     }
     std::array<double, sampleCount>                 values;
     std::array<std::array<Vector3, 3>, sampleCount> tangents;
@@ -120,8 +121,8 @@ addBezierBarrier(const LatticeLayout &            layout,
         for (std::size_t e = 0; e < 4; ++e)
         {
           const std::size_t start = edgeStart[d][e];
-          layout.add(gradient, first + layout.corner[start + (std::size_t{ 1 } << d)], weights[e] * cofactor);
-          layout.add(gradient, first + layout.corner[start], -weights[e] * cofactor);
+          layout.add(gradient, nodes[start + (std::size_t{ 1 } << d)], weights[e] * cofactor);
+          layout.add(gradient, nodes[start], -weights[e] * cofactor);
         }
       }
     }

@@ -14,13 +14,13 @@ namespace moserhex
  * with b in units of a cell's target volume. Coefficients above 0 certify the whole cell, where positive corners do
  * not. C1.
  *
- * \param firstNodes  of the cells (LatticeLayout::firstNode)
+ * \param cells  their numbers
  * \param gradient    dE/dx is added
  * \return E */
 [[nodiscard]] double
 addBezierBarrier(const LatticeLayout &            layout,
                  const Eigen::VectorXd &          x,
-                 const std::vector<std::size_t> & firstNodes,
+                 const std::vector<std::size_t> & cells,
                  double                           margin,
                  double                           weight,
                  Eigen::VectorXd &                gradient);

@@ -11,7 +11,7 @@ static_assert(laneCount <= latticePadding, "kernels reach past the last node by 
 /** The pieces that kernels over eight consecutive cells are made of. Corner a of a cell: bit 0 = i, bit 1 = j,
  * bit 2 = k. */
 
-/** Corners of the cells p, ..., p + 7, relative to their first. */
+/** Corners of the lattice's cells p, ..., p + 7, relative to their first. */
 MOSERHEX_INLINE void
 loadCorners(const LatticeLayout & layout, const double * x, std::size_t p, LaneVector * corners)
 {
@@ -34,6 +34,46 @@ addToCorners(const LatticeLayout & layout, double * x, std::size_t p, const Lane
     addLanes(q, values[a].x);
     addLanes(q + stride, values[a].y);
     addLanes(q + 2 * stride, values[a].z);
+  }
+}
+
+/** Corners of the pillow cells first, ..., first + 7, relative to their first; the last cell fills what is left. */
+MOSERHEX_INLINE void
+gatherCorners(const LatticeLayout & layout, const double * x, std::size_t first, LaneVector * corners)
+{
+  const std::size_t stride = layout.stride;
+  const std::size_t last = layout.pillowCells.size() - 1;
+  for (std::size_t a = 0; a < 8; ++a)
+  {
+    for (std::size_t lane = 0; lane < laneCount; ++lane)
+    {
+      const std::size_t cell = first + lane < last ? first + lane : last;
+      const double *    q = x + layout.pillowCells[cell][a];
+      corners[a].x[lane] = q[0];
+      corners[a].y[lane] = q[stride];
+      corners[a].z[lane] = q[2 * stride];
+    }
+  }
+  for (std::size_t a = 8; a-- > 0;)
+  {
+    corners[a] = corners[a] - corners[0];
+  }
+}
+
+/** Adds to the corners of the pillow cells first, ..., first + 7 that there are. */
+MOSERHEX_INLINE void
+scatterToCorners(const LatticeLayout & layout, double * x, std::size_t first, const LaneVector * values)
+{
+  const std::size_t stride = layout.stride;
+  for (std::size_t lane = 0; lane < laneCount && first + lane < layout.pillowCells.size(); ++lane)
+  {
+    for (std::size_t a = 0; a < 8; ++a)
+    {
+      double * q = x + layout.pillowCells[first + lane][a];
+      q[0] += values[a].x[lane];
+      q[stride] += values[a].y[lane];
+      q[2 * stride] += values[a].z[lane];
+    }
   }
 }
 

@@ -1,10 +1,9 @@
 #include "moserhex/HexMap/EqualMeasureProjection.h"
 
-#include "LatticeVector.h"
+#include "EmbeddedOperator.h"
 #include "SurfaceAttraction.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Stopwatch.h"
-#include "moserhex/Numerics/CubeTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,26 +43,19 @@ requireArguments(const EqualMeasureOptions & options, double target, const Signe
   require(options.shift > 0.0 && std::isfinite(options.shift), "the shift must be positive and finite");
 }
 
-/** (L + sigma)^-1 on the nodes. */
-SpectralOperator
-inverseLaplacian(int nodesPerSide, double shift)
-{
-  return functionOfLaplacian(
-    nodesPerSide, CubeTransform::Basis::Cosine, [shift](double eigenvalue) { return 1.0 / (eigenvalue + shift); });
-}
-
 /** The inverse of A M A^T on the uniform lattice with unit cells. */
-SpectralOperator
-uniformInverse(int nodesPerSide, double shift)
+EmbeddedOperator
+uniformInverse(const LatticeLayout & layout, double shift)
 {
-  const int  cells = nodesPerSide - 1;
+  const int  cells = layout.nodesPerSide - 1 + 2 * layout.paddingLayers;
   const auto difference = laplacianEigenvalues(cells, CubeTransform::Basis::Sine);
   const auto mean = [&](int a) { return 1.0 - 0.25 * difference[a]; };
-  return { CubeTransform(cells, CubeTransform::Basis::Sine), [&](int a, int b, int c) {
-            const double sum = difference[a] + difference[b] + difference[c] + shift;
-            return sum / (difference[a] * mean(b) * mean(c) + mean(a) * difference[b] * mean(c) +
-                          mean(a) * mean(b) * difference[c]);
-          } };
+  const auto symbol = [&](int a, int b, int c) {
+    const double sum = difference[a] + difference[b] + difference[c] + shift;
+    return sum /
+           (difference[a] * mean(b) * mean(c) + mean(a) * difference[b] * mean(c) + mean(a) * mean(b) * difference[c]);
+  };
+  return { SpectralOperator(CubeTransform(cells, CubeTransform::Basis::Sine), symbol), placesOfCells(layout) };
 }
 
 /** A M A^T at one mesh. Displacements in units of a cell's edge, measures relative to the target. */
@@ -73,8 +65,8 @@ public:
   NormalEquations(const LatticeLayout & layout, const EqualMeasureOptions & options)
     : m_Layout(layout)
     , m_Options(options)
-    , m_Smoother(inverseLaplacian(layout.nodesPerSide, options.shift))
-    , m_Preconditioner(uniformInverse(layout.nodesPerSide, options.shift))
+    , m_Smoother(inverseNodeLaplacian(layout, options.shift))
+    , m_Preconditioner(uniformInverse(layout, options.shift))
   {}
 
   void
@@ -90,23 +82,17 @@ public:
   displacement(const Vector & y) const
   {
     Vector x = Vector::Zero(m_Layout.size());
-    forEachCell([&](std::size_t cell, std::size_t first) {
+    forEachCell([&](std::size_t cell, const CellNodes & nodes) {
       const double * gradient = m_Gradients.col(static_cast<Eigen::Index>(cell)).data();
       const double   factor = y[static_cast<Eigen::Index>(cell)];
       for (std::size_t a = 0; a < 8; ++a)
       {
         const double * g = gradient + 3 * vtkCorner[a];
-        m_Layout.add(x, first + m_Layout.corner[a], factor * Vector3(g[0], g[1], g[2]));
+        m_Layout.add(x, nodes[a], factor * Vector3(g[0], g[1], g[2]));
       }
     });
     dampNormalMotion(x);
-    for (std::size_t component = 0; component < 3; ++component)
-    {
-      m_Smoother.applyInPlace(
-        x.segment(static_cast<Eigen::Index>(component * m_Layout.stride), static_cast<Eigen::Index>(m_Layout.nodes)),
-        ComponentOrder::Stacked,
-        m_Options.threads);
-    }
+    m_Smoother.applyInPlace(componentsOf(m_Layout, x), m_Options.threads);
     dampNormalMotion(x);
     return x;
   }
@@ -116,13 +102,13 @@ public:
   change(const Vector & x) const
   {
     Vector result(m_Gradients.cols());
-    forEachCell([&](std::size_t cell, std::size_t first) {
+    forEachCell([&](std::size_t cell, const CellNodes & nodes) {
       const double * gradient = m_Gradients.col(static_cast<Eigen::Index>(cell)).data();
       double         sum = 0.0;
       for (std::size_t a = 0; a < 8; ++a)
       {
         const double * g = gradient + 3 * vtkCorner[a];
-        sum += m_Layout.at(x, first + m_Layout.corner[a]).dot(Vector3(g[0], g[1], g[2]));
+        sum += m_Layout.at(x, nodes[a]).dot(Vector3(g[0], g[1], g[2]));
       }
       result[static_cast<Eigen::Index>(cell)] = sum;
     });
@@ -168,15 +154,16 @@ private:
       const std::size_t layer = (cells + 1) * (cells + 1);
       for (std::size_t k = begin / layer; k * layer < end && k < cells; ++k)
       {
-        for (std::size_t j = 0; j < cells; ++j)
+        for (std::size_t cell = cells * cells * k; cell < cells * cells * (k + 1); ++cell)
         {
-          for (std::size_t i = 0; i < cells; ++i)
-          {
-            body(i + cells * (j + cells * k), i + (cells + 1) * (j + (cells + 1) * k));
-          }
+          body(cell, m_Layout.cellNodes(cell));
         }
       }
     });
+    for (std::size_t pillow = 0; pillow < m_Layout.pillowCells.size(); ++pillow)
+    {
+      body(m_Layout.latticeCellCount() + pillow, m_Layout.pillowCells[pillow]);
+    }
   }
 
   void
@@ -193,14 +180,14 @@ private:
   [[nodiscard]] Vector
   preconditioned(Vector r) const
   {
-    m_Preconditioner.applyInPlace(r, ComponentOrder::Stacked, m_Options.threads);
+    m_Preconditioner.applyInPlace(r, m_Options.threads);
     return r;
   }
 
   LatticeLayout                    m_Layout;
   EqualMeasureOptions              m_Options;
-  SpectralOperator                 m_Smoother;
-  SpectralOperator                 m_Preconditioner;
+  EmbeddedOperator                 m_Smoother;
+  EmbeddedOperator                 m_Preconditioner;
   CellGradients                    m_Gradients;
   const std::vector<std::size_t> * m_BoundaryNodes{ nullptr };
   std::vector<Vector3>             m_Normals;
@@ -275,7 +262,7 @@ projectOntoEqualMeasure(const HexMesh &             mesh,
   requireArguments(options, target, phi);
   requireValid(mesh);
   const Stopwatch     stopwatch;
-  const LatticeLayout layout(mesh.nodesPerSide);
+  const LatticeLayout layout(mesh.nodesPerSide, mesh.paddingLayers);
   SurfaceAttraction   boundary(layout, phi, options.threads);
   NormalEquations     equations(layout, options);
 

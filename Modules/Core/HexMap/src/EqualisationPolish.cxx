@@ -9,12 +9,11 @@ namespace moserhex
 namespace
 {
 
-/** A mesh with a smaller scaled Jacobian than this is polished [1]. */
-constexpr double narrowScaledJacobian = 0.18;
-/** Corners are lifted towards twice the smallest scaled Jacobian there is, within these: a goal out of reach pushes the
- * boundary off the surface. The largest is above what is asked for, as the projection takes some of it back [1]. */
+/** Corners are lifted towards twice the smallest scaled Jacobian there is, between these: a goal out of reach pushes
+ * the boundary off the surface. The largest, in terms of what is asked for, is above it, as the projection takes some
+ * of it back [1]. */
 constexpr double lowestGoal = 0.06;
-constexpr double highestGoal = 0.23;
+constexpr double highestGoalPart = 1.28;
 /** Cells up to this many times the goal are held as well, lest they pay for the others. */
 constexpr double watchedPartOfGoal = 1.3;
 /** Where a round leads too far, its first half is tried, and so on down to this part; the next round begins with twice
@@ -24,22 +23,22 @@ constexpr double smallestPart = 0.125;
 constexpr int    projectionSteps = 6;
 constexpr double weight = 100.0;
 /** Few steps: the mesh is good already but for some corners, and only these are to move. */
-constexpr EqualisationStage stage{ 0.02, 1000.0, 80.0, 10, 1 };
+constexpr EqualisationStage polishStage{ 0.02, 1000.0, 80.0, 10, 1 };
 constexpr double            smallestDecrease = 1e-7;
 
-/** First nodes of the cells with a scaled Jacobian below the bound. */
+/** Cells with a scaled Jacobian below the bound. */
 std::vector<std::size_t>
-cellsBelow(double bound, const HexMesh & mesh, const LatticeLayout & layout)
+cellsBelow(double bound, const HexMesh & mesh)
 {
-  std::vector<std::size_t> firstNodes;
+  std::vector<std::size_t> cells;
   for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
   {
     if (hexCellQuality(cellCorners(mesh, cell)).scaledJacobian < bound)
     {
-      firstNodes.push_back(layout.firstNode(cell));
+      cells.push_back(cell);
     }
   }
-  return firstNodes;
+  return cells;
 }
 
 /** The nodes that part of the way from one state to another, at the level of the other. */
@@ -59,15 +58,19 @@ between(const EqualisedLattice::State & from, const EqualisedLattice::State & to
 bool
 Equaliser::lift(LatticeOptimiser & optimiser, double smallestScaledJacobian, const ProgressCallback & progress)
 {
-  if (m_Lattice.problem().options.polishRounds == 0 || smallestScaledJacobian >= narrowScaledJacobian)
+  const EqualisationOptions & options = m_Lattice.problem().options;
+  if (options.polishRounds == 0 || smallestScaledJacobian >= options.narrowScaledJacobian)
   {
     return false;
   }
   const Stopwatch stopwatch;
+  const double    highestGoal = highestGoalPart * options.narrowScaledJacobian;
   const double    goal = std::min(std::max(lowestGoal, 2.0 * smallestScaledJacobian), highestGoal);
   Eigen::VectorXd x = m_Lattice.vector(optimiser.layout());
-  optimiser.setCornerBarrier(cellsBelow(watchedPartOfGoal * goal, m_Lattice.mesh(), optimiser.layout()), goal, weight);
+  optimiser.setCornerBarrier(cellsBelow(watchedPartOfGoal * goal, m_Lattice.mesh()), goal, weight);
   prepareRound(optimiser, x, springGrowth);
+  EqualisationStage stage = polishStage;
+  stage.angleWeight = options.angleWeight;
   const LimitedMemoryBfgsResult result = optimiser.minimise(x, stage, smallestDecrease, progress);
   m_Lattice.take(optimiser, x);
   log("polish", result.report.steps, result.evaluations, stopwatch, optimiser);

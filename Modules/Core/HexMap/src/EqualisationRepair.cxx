@@ -26,34 +26,31 @@ constexpr double springGrowthOfTangled = 2.0; // lest springs outgrow the barrie
 class WatchedCells
 {
 public:
-  explicit WatchedCells(const LatticeLayout & layout) : m_Layout(layout), m_IsWatched(layout.nodes, false)
-  {}
-
-  /** Adds the cells that are doubtful now; returns the first nodes of all. */
+  /** Adds the cells that are doubtful now; returns all. */
   [[nodiscard]] std::vector<std::size_t>
   update(const HexMesh & mesh, double meanVolume, unsigned int threads)
   {
     const std::vector<double> smallest = smallestBezierCoefficients(mesh, threads);
+    m_IsWatched.resize(smallest.size(), false);
     for (std::size_t cell = 0; cell < smallest.size(); ++cell)
     {
       if (smallest[cell] < doubtfulCoefficient * meanVolume)
       {
-        m_IsWatched[m_Layout.firstNode(cell)] = true;
+        m_IsWatched[cell] = true;
       }
     }
-    std::vector<std::size_t> firstNodes;
-    for (std::size_t node = 0; node < m_IsWatched.size(); ++node)
+    std::vector<std::size_t> cells;
+    for (std::size_t cell = 0; cell < m_IsWatched.size(); ++cell)
     {
-      if (m_IsWatched[node])
+      if (m_IsWatched[cell])
       {
-        firstNodes.push_back(node);
+        cells.push_back(cell);
       }
     }
-    return firstNodes;
+    return cells;
   }
 
 private:
-  LatticeLayout     m_Layout;
   std::vector<bool> m_IsWatched;
 };
 
@@ -66,13 +63,14 @@ Equaliser::repair(LatticeOptimiser & optimiser, EqualisationFlaws present, const
   const FlawLimits            limits = m_Lattice.flawLimits();
   const auto                  rounds = static_cast<std::size_t>(options.repairRounds);
   const double            meanVolume = m_Lattice.problem().volume / static_cast<double>(m_Lattice.mesh().cellCount());
-  WatchedCells            watched(optimiser.layout());
+  WatchedCells            watched;
   EqualisationFlaws       fewest = present;
   EqualisedLattice::State best = m_Lattice.state();
   EqualisationStage       stage = firstStage;
-  double                  margin = options.repairMargin;
-  double                  weight = firstWeight;
-  int                     uselessProjections = 0;
+  stage.angleWeight = options.angleWeight;
+  double margin = options.repairMargin;
+  double weight = firstWeight;
+  int    uselessProjections = 0;
   for (std::size_t round = 0; round < rounds && uselessProjections < patience && !present.none(limits); ++round)
   {
     const Stopwatch         stopwatch;

@@ -67,7 +67,7 @@ EqualisedLattice::makeOptimiser() const
   {
     point = (point - origin) / edge;
   }
-  LatticeOptimiser optimiser(mesh().nodesPerSide,
+  LatticeOptimiser optimiser(LatticeLayout(mesh().nodesPerSide, mesh().paddingLayers),
                              scaled,
                              std::move(surfacePoints),
                              static_cast<double>(mesh().cellCount()),

@@ -16,30 +16,22 @@ constexpr int stepsBetweenAssociations = 20;
 
 /** Added to the lattice Laplacian, whose constants it leaves at zero [1]. */
 constexpr double laplacianShift = 0.3;
-
-SpectralOperator
-inverseLaplacian(int nodesPerSide)
-{
-  return functionOfLaplacian(
-    nodesPerSide, CubeTransform::Basis::Cosine, [](double eigenvalue) { return 1.0 / (eigenvalue + laplacianShift); });
-}
 } // namespace
 
-LatticeOptimiser::LatticeOptimiser(int            nodesPerSide,
+LatticeOptimiser::LatticeOptimiser(LatticeLayout  layout,
                                    SignedDistance phi,
                                    Positions      surfacePoints,
                                    double         volume,
                                    unsigned int   threads)
-  : m_Layout(nodesPerSide)
+  : m_Layout(std::move(layout))
   , m_Attraction(m_Layout, std::move(phi), threads)
   , m_Coverage(m_Layout, std::move(surfacePoints), threads)
-  , m_InverseLaplacian(inverseLaplacian(nodesPerSide))
+  , m_InverseLaplacian(inverseNodeLaplacian(m_Layout, laplacianShift))
   , m_Volume(volume)
   , m_Threads(threads)
   , m_TargetVolumes(unitTargetVolumes(m_Layout))
 {
-  const auto cells = static_cast<double>(nodesPerSide - 1);
-  m_TargetVolumes *= volume / (cells * cells * cells);
+  m_TargetVolumes *= volume / m_TargetVolumes.sum();
 }
 
 void
@@ -47,7 +39,7 @@ LatticeOptimiser::setTargetVolumes(const std::vector<double> & volumes)
 {
   for (std::size_t cell = 0; cell < volumes.size(); ++cell)
   {
-    m_TargetVolumes[static_cast<Eigen::Index>(m_Layout.firstNode(cell))] = volumes[cell];
+    m_TargetVolumes[static_cast<Eigen::Index>(m_Layout.slot(cell))] = volumes[cell];
   }
 }
 
@@ -59,17 +51,17 @@ LatticeOptimiser::updateLevel(const Eigen::VectorXd & x)
 }
 
 void
-LatticeOptimiser::setBarrier(std::vector<std::size_t> firstNodes, double margin, double weight)
+LatticeOptimiser::setBarrier(std::vector<std::size_t> cells, double margin, double weight)
 {
-  m_BarrierCells = std::move(firstNodes);
+  m_BarrierCells = std::move(cells);
   m_BarrierMargin = margin;
   m_BarrierWeight = weight;
 }
 
 void
-LatticeOptimiser::setCornerBarrier(std::vector<std::size_t> firstNodes, double goal, double weight)
+LatticeOptimiser::setCornerBarrier(std::vector<std::size_t> cells, double goal, double weight)
 {
-  m_CornerCells = std::move(firstNodes);
+  m_CornerCells = std::move(cells);
   m_CornerGoal = goal;
   m_CornerWeight = weight;
 }
@@ -78,7 +70,7 @@ double
 LatticeOptimiser::energy(const Eigen::VectorXd & x, const EqualisationStage & stage, Eigen::VectorXd & gradient) const
 {
   gradient.setZero(m_Layout.size());
-  const ShapeEnergyWeights weights{ stage.regularisation, stage.volumeWeight, stage.power };
+  const ShapeEnergyWeights weights{ stage.regularisation, stage.volumeWeight, stage.power, stage.angleWeight };
   double                   value = addShapeEnergy(m_Layout, x, m_TargetVolumes, weights, m_Threads, gradient);
   value += m_Attraction.addEnergy(x, stage.surfaceWeight, gradient);
   value += m_Coverage.addEnergy(x, stage.surfaceWeight, gradient);
@@ -103,12 +95,7 @@ LatticeOptimiser::minimise(Eigen::VectorXd &         x,
     return energy(at, stage, gradient);
   };
   const auto precondition = [this](Eigen::VectorXd & v) {
-    m_InverseLaplacian.applyToColumnsInPlace(Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>(
-                                               v.data(),
-                                               static_cast<Eigen::Index>(m_Layout.nodes),
-                                               3,
-                                               Eigen::OuterStride<>(static_cast<Eigen::Index>(m_Layout.stride))),
-                                             m_Threads);
+    m_InverseLaplacian.applyInPlace(componentsOf(m_Layout, v), m_Threads);
   };
   LimitedMemoryBfgsOptions options;
   options.smallestDecrease = smallestDecrease;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "EmbeddedOperator.h"
 #include "SurfaceAttraction.h"
 #include "SurfaceCoverage.h"
 #include "moserhex/Common/StepReport.h"
 #include "moserhex/HexMap/VolumeEqualisation.h"
-#include "moserhex/Numerics/CubeTransform.h"
 #include "moserhex/Numerics/LimitedMemoryBfgs.h"
 
 #include <vector>
@@ -18,7 +18,11 @@ class LatticeOptimiser
 public:
   /** \param phi  in those units \param surfacePoints  points on the organ's surface, in those units
    * \param volume  of the organ, in those units */
-  LatticeOptimiser(int nodesPerSide, SignedDistance phi, Positions surfacePoints, double volume, unsigned int threads);
+  LatticeOptimiser(LatticeLayout  layout,
+                   SignedDistance phi,
+                   Positions      surfacePoints,
+                   double         volume,
+                   unsigned int   threads);
 
   [[nodiscard]] const LatticeLayout &
   layout() const
@@ -55,11 +59,11 @@ public:
 
   /** Cells whose Bezier coefficients are pushed above the margin; weight 0: none. */
   void
-  setBarrier(std::vector<std::size_t> firstNodes, double margin, double weight);
+  setBarrier(std::vector<std::size_t> cells, double margin, double weight);
 
   /** Cells whose corners are lifted towards the scaled Jacobian `goal`; weight 0: none. */
   void
-  setCornerBarrier(std::vector<std::size_t> firstNodes, double goal, double weight);
+  setCornerBarrier(std::vector<std::size_t> cells, double goal, double weight);
 
   /** E and its gradient at x. */
   [[nodiscard]] double
@@ -75,7 +79,7 @@ private:
   LatticeLayout            m_Layout;
   SurfaceAttraction        m_Attraction;
   SurfaceCoverage          m_Coverage;
-  SpectralOperator         m_InverseLaplacian;
+  EmbeddedOperator         m_InverseLaplacian;
   double                   m_Volume;
   unsigned int             m_Threads;
   Eigen::VectorXd          m_TargetVolumes;

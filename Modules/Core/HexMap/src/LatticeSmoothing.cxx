@@ -64,7 +64,7 @@ HexMesh
 smoothLattice(const HexMesh & mesh, const SurfaceProjection & projection, const LatticeSmoothingOptions & options)
 {
   requireOptions(options);
-  requireValid(mesh);
+  requireLattice(mesh);
 
   HexMesh result = mesh;
   if (projection)

@@ -15,16 +15,39 @@ constexpr std::size_t layersPerSlab = 2;
 constexpr int fewestNodesForThreads = 14;
 } // namespace
 
-LatticeLayout::LatticeLayout(int nodesPerSide_) : nodesPerSide(nodesPerSide_)
+LatticeLayout::LatticeLayout(int nodesPerSide_, int paddingLayers_)
+  : nodesPerSide(nodesPerSide_), paddingLayers(paddingLayers_), nodes(nodeCount(nodesPerSide, paddingLayers))
 {
   const auto n = static_cast<std::size_t>(nodesPerSide);
-  nodes = n * n * n;
   stride = nodes + latticePadding;
   for (std::size_t a = 0; a < 8; ++a)
   {
     corner[a] = (a & 1) + n * ((a >> 1 & 1) + n * (a >> 2));
   }
-  cellStarts = nodes - corner[7];
+  cellStarts = n * n * n - corner[7];
+  const HexMesh mesh = connectivity();
+  for (std::size_t cell = mesh.latticeCellCount(); cell < mesh.cellCount(); ++cell)
+  {
+    const auto vtkNodes = mesh.cellNodes(cell);
+    pillowCells.push_back(
+      { vtkNodes[0], vtkNodes[1], vtkNodes[3], vtkNodes[2], vtkNodes[4], vtkNodes[5], vtkNodes[7], vtkNodes[6] });
+  }
+}
+
+CellNodes
+LatticeLayout::cellNodes(std::size_t cell) const
+{
+  if (cell >= latticeCellCount())
+  {
+    return pillowCells[cell - latticeCellCount()];
+  }
+  const std::size_t first = firstNode(cell);
+  CellNodes         result;
+  for (std::size_t a = 0; a < 8; ++a)
+  {
+    result[a] = first + corner[a];
+  }
+  return result;
 }
 
 std::size_t
@@ -90,32 +113,10 @@ forEachSlab(const LatticeLayout &                                              l
   }
 }
 
-std::vector<std::array<std::size_t, 4>>
-boundaryQuads(const LatticeLayout & layout)
+HexMesh
+LatticeLayout::connectivity() const
 {
-  const int                               n = layout.nodesPerSide;
-  std::vector<std::array<std::size_t, 4>> quads;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (const int side : { 0, n - 1 })
-    {
-      const auto node = [&](int a, int b) {
-        std::array<int, 3> at{};
-        at[axis] = side;
-        at[(axis + 1) % 3] = a;
-        at[(axis + 2) % 3] = b;
-        return layout.node(at[0], at[1], at[2]);
-      };
-      for (int b = 0; b + 1 < n; ++b)
-      {
-        for (int a = 0; a + 1 < n; ++a)
-        {
-          quads.push_back({ node(a, b), node(a + 1, b), node(a + 1, b + 1), node(a, b + 1) });
-        }
-      }
-    }
-  }
-  return quads;
+  return { nodesPerSide, {}, paddingLayers };
 }
 
 } // namespace moserhex

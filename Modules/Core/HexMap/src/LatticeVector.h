@@ -14,19 +14,53 @@ namespace moserhex
 /** Entries after each component that kernels over several cells at once may read, and add zeros to. */
 constexpr std::size_t latticePadding = 8;
 
-/** Where the numbers of a lattice stand in one long vector: all x, then all y, then all z, each with padding at the
+/** Node numbers of a cell's corners: bit 0 of the corner = i, bit 1 = j, bit 2 = k. */
+using CellNodes = std::array<std::size_t, 8>;
+
+/** Where the numbers of a mesh stand in one long vector: all x, then all y, then all z, each with spare entries at the
  * end so that kernels may read and add zeros past the last node.
  *
- * Corner a of the cell whose first node is p is the node p + corner[a], bit 0 of a = i, bit 1 = j, bit 2 = k. */
+ * Corner a of the lattice's cell whose first node is p is the node p + corner[a]; pillow cells name their corners. A
+ * number for each cell stands in the cell's slot: of the lattice's cells at their first nodes, of pillow cells behind
+ * all nodes. */
 struct LatticeLayout
 {
-  explicit LatticeLayout(int nodesPerSide);
+  explicit LatticeLayout(int nodesPerSide, int paddingLayers = 0);
 
-  int                        nodesPerSide;
-  std::size_t                nodes;      ///< n^3
-  std::size_t                stride;     ///< from x to y to z of a node
-  std::size_t                cellStarts; ///< nodes up to and including the last one at which a cell begins
-  std::array<std::size_t, 8> corner;
+  int                    nodesPerSide;
+  int                    paddingLayers;
+  std::size_t            nodes;      ///< of the lattice and of all layers
+  std::size_t            stride;     ///< from x to y to z of a node
+  std::size_t            cellStarts; ///< nodes up to and including the last one at which a cell begins
+  CellNodes              corner;
+  std::vector<CellNodes> pillowCells; ///< in the order of their numbers
+
+  /** Entries of a vector of numbers of cells. */
+  [[nodiscard]] Eigen::Index
+  slotCount() const
+  {
+    return static_cast<Eigen::Index>(stride + pillowCells.size() + latticePadding);
+  }
+
+  [[nodiscard]] std::size_t
+  latticeCellCount() const
+  {
+    const auto m = static_cast<std::size_t>(nodesPerSide - 1);
+    return m * m * m;
+  }
+
+  [[nodiscard]] std::size_t
+  slot(std::size_t cell) const
+  {
+    return cell < latticeCellCount() ? firstNode(cell) : stride + (cell - latticeCellCount());
+  }
+
+  [[nodiscard]] CellNodes
+  cellNodes(std::size_t cell) const;
+
+  /** A mesh of this layout without places for its nodes. */
+  [[nodiscard]] HexMesh
+  connectivity() const;
 
   [[nodiscard]] Eigen::Index
   size() const
@@ -41,7 +75,7 @@ struct LatticeLayout
     return static_cast<std::size_t>(i) + n * (static_cast<std::size_t>(j) + n * static_cast<std::size_t>(k));
   }
 
-  /** First node of a cell, cells numbered i + (n-1) (j + (n-1) k). */
+  /** First node of a cell of the lattice, cells numbered i + (n-1) (j + (n-1) k). */
   [[nodiscard]] std::size_t
   firstNode(std::size_t cell) const;
 
@@ -74,17 +108,22 @@ latticeVector(const LatticeLayout & layout, const Positions & nodes, const Vecto
 [[nodiscard]] Positions
 latticePositions(const LatticeLayout & layout, const Eigen::VectorXd & x, const Vector3 & origin, double unit);
 
-/** The node numbers around every boundary quadrilateral, 6 (n-1)^2 of them; orientation differs from face to face. */
-[[nodiscard]] std::vector<std::array<std::size_t, 4>>
-boundaryQuads(const LatticeLayout & layout);
+/** x, y and z of the nodes as the three columns of a matrix. */
+[[nodiscard]] inline Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>
+componentsOf(const LatticeLayout & layout, Eigen::VectorXd & x)
+{
+  return {
+    x.data(), static_cast<Eigen::Index>(layout.nodes), 3, Eigen::OuterStride<>(static_cast<Eigen::Index>(layout.stride))
+  };
+}
 
-/** Number of slabs of cell layers that slabwise work is cut into; depends on n alone. */
+/** Number of slabs of cell layers of the lattice that slabwise work is cut into; depends on n alone. */
 [[nodiscard]] std::size_t
 slabCount(const LatticeLayout & layout);
 
-/** Runs body(slab, begin, end) for the ranges [begin, end) of cell starts of every slab, the even slabs first, in
- * parallel, then the odd ones. A body may add to the nodes of its cells: two slabs of one colour share none, so every
- * node receives its terms in the same order whatever the number of threads. */
+/** Runs body(slab, begin, end) for the ranges [begin, end) of cell starts of every slab of the lattice, the even slabs
+ * first, in parallel, then the odd ones. A body may add to the nodes of its cells: two slabs of one colour share none,
+ * so every node receives its terms in the same order whatever the number of threads. */
 void
 forEachSlab(const LatticeLayout &                                              layout,
             unsigned int                                                       threads,

@@ -15,14 +15,14 @@ namespace moserhex
  * alone, as the quality figures do; dq/da = (b x c) / (|a| |b| |c|) - q a / |a|^2, and cyclically. C1 but where an edge
  * vanishes; such a corner is left alone.
  *
- * \param firstNodes  of the cells (LatticeLayout::firstNode)
+ * \param cells  their numbers
  * \param goal        q0 > 0 [1]
  * \param gradient    dE/dx is added
  * \return E */
 [[nodiscard]] double
 addScaledJacobianBarrier(const LatticeLayout &            layout,
                          const Eigen::VectorXd &          x,
-                         const std::vector<std::size_t> & firstNodes,
+                         const std::vector<std::size_t> & cells,
                          double                           goal,
                          double                           weight,
                          Eigen::VectorXd &                gradient);

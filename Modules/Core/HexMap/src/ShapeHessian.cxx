@@ -141,6 +141,10 @@ addShapeHessianProduct(const LatticeLayout &      layout,
   {
     throw InvalidInput("Hessian of the shape energy: the power is " + std::to_string(weights.power) + ", must be 1");
   }
+  if (layout.paddingLayers > 0)
+  {
+    throw InvalidInput("Hessian of the shape energy: no product is written for pillow cells");
+  }
   const bool full = form == HessianForm::Full;
   forEachSlab(layout, threads, [&](std::size_t, std::size_t begin, std::size_t end) {
     addSlabProduct(layout, x.data(), direction.data(), targetVolumes.data(), weights, full, begin, end, product.data());

@@ -30,7 +30,7 @@ enum class HessianForm
  * \param direction      the vector; padding entries zero
  * \param targetVolumes  as addShapeEnergy
  * \param product        H direction is added
- * \throws InvalidInput  weights.power is not 1: for larger powers no product is written
+ * \throws InvalidInput  weights.power is not 1, or there is padding: no product is written for these
  * \note The same bits for any number of threads. */
 void
 addShapeHessianProduct(const LatticeLayout &      layout,

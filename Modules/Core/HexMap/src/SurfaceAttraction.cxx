@@ -1,8 +1,8 @@
 #include "SurfaceAttraction.h"
 
-#include "LatticeNodes.h"
 #include "SpringLengths.h"
 #include "moserhex/Common/Parallel.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 
 #include <Eigen/Geometry>
 
@@ -45,14 +45,12 @@ distanceToSurface(const SignedDistance & phi, const Vector3 & point)
 } // namespace
 
 SurfaceAttraction::SurfaceAttraction(const LatticeLayout & layout, SignedDistance phi, unsigned int threads)
-  : m_Layout(layout), m_Phi(std::move(phi)), m_Threads(threads), m_Quads(boundaryQuads(layout))
+  : m_Layout(layout)
+  , m_Phi(std::move(phi))
+  , m_Threads(threads)
+  , m_Nodes(boundaryNodes(layout.connectivity()))
+  , m_Quads(boundaryQuads(layout.connectivity()))
 {
-  lattice::forEachNode(layout.nodesPerSide, [&](const lattice::Index3 & at, std::size_t node) {
-    if (lattice::isBoundary(layout.nodesPerSide, at))
-    {
-      m_Nodes.push_back(node);
-    }
-  });
   m_InverseSlope.assign(springCount(), 1.0);
   m_Weights.assign(springCount(), 1.0);
 }

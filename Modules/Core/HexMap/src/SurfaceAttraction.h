@@ -1,6 +1,7 @@
 #pragma once
 
 #include "LatticeVector.h"
+#include "moserhex/Geometry/UnstructuredHexMesh.h"
 #include "moserhex/HexMap/SignedDistance.h"
 
 #include <vector>
@@ -95,14 +96,14 @@ private:
   [[nodiscard]] double
   area(const Eigen::VectorXd & x) const;
 
-  LatticeLayout                           m_Layout;
-  SignedDistance                          m_Phi;
-  unsigned int                            m_Threads;
-  std::vector<std::size_t>                m_Nodes;
-  std::vector<std::array<std::size_t, 4>> m_Quads;        ///< around each boundary quadrilateral
-  std::vector<double>                     m_InverseSlope; ///< 1 / |grad phi|, of the nodes, then the centres
-  std::vector<double>                     m_Weights;      ///< w of the nodes, then the centres
-  double                                  m_Level{ 0.0 };
+  LatticeLayout              m_Layout;
+  SignedDistance             m_Phi;
+  unsigned int               m_Threads;
+  std::vector<std::size_t>   m_Nodes;
+  std::vector<Quadrilateral> m_Quads;        ///< around each boundary quadrilateral
+  std::vector<double>        m_InverseSlope; ///< 1 / |grad phi|, of the nodes, then the centres
+  std::vector<double>        m_Weights;      ///< w of the nodes, then the centres
+  double                     m_Level{ 0.0 };
 };
 
 } // namespace moserhex

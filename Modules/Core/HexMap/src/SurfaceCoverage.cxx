@@ -3,6 +3,7 @@
 #include "SpringLengths.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Geometry/ClosestPoint.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 
 #include <Eigen/Geometry>
 
@@ -27,7 +28,10 @@ constexpr double usualNumberOfPoints = 2000.0;
 } // namespace
 
 SurfaceCoverage::SurfaceCoverage(const LatticeLayout & layout, Positions surfacePoints, unsigned int threads)
-  : m_Layout(layout), m_SurfacePoints(std::move(surfacePoints)), m_Threads(threads), m_Quads(boundaryQuads(layout))
+  : m_Layout(layout)
+  , m_SurfacePoints(std::move(surfacePoints))
+  , m_Threads(threads)
+  , m_Quads(boundaryQuads(layout.connectivity()))
 {
   const auto count = static_cast<double>(m_SurfacePoints.size());
   m_Stiffness.assign(m_SurfacePoints.size(), usualNumberOfPoints / std::max(usualNumberOfPoints, count));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "LatticeVector.h"
+#include "moserhex/Geometry/UnstructuredHexMesh.h"
 #include "moserhex/HexMap/SignedDistance.h"
 
 #include <array>
@@ -56,14 +57,14 @@ private:
   [[nodiscard]] Vector3
   boundaryPoint(const Eigen::VectorXd & x, const Spring & spring) const;
 
-  LatticeLayout                           m_Layout;
-  Positions                               m_SurfacePoints;
-  unsigned int                            m_Threads;
-  std::vector<std::array<std::size_t, 4>> m_Quads;
-  std::vector<double>                     m_Distances;
-  std::vector<int>                        m_Nearest; ///< triangle of the boundary, by surface point; -1: not yet known
-  std::vector<double>                     m_Stiffness; ///< k
-  std::vector<Spring>                     m_Springs;   ///< of points farther away than half of d
+  LatticeLayout              m_Layout;
+  Positions                  m_SurfacePoints;
+  unsigned int               m_Threads;
+  std::vector<Quadrilateral> m_Quads;
+  std::vector<double>        m_Distances;
+  std::vector<int>           m_Nearest;   ///< triangle of the boundary, by surface point; -1: not yet known
+  std::vector<double>        m_Stiffness; ///< k
+  std::vector<Spring>        m_Springs;   ///< of points farther away than half of d
 };
 
 } // namespace moserhex

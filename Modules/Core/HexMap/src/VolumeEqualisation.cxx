@@ -50,6 +50,7 @@ requireStages(const std::vector<EqualisationStage> & stages)
             "weights must be finite and not negative");
     require(stage.maximumSteps >= 0, "number of steps must not be negative");
     require(stage.power >= 1 && stage.power <= 8, "power must be in 1..8");
+    require(stage.angleWeight >= 0.0 && std::isfinite(stage.angleWeight), "weights must be finite and not negative");
   }
 }
 
@@ -129,10 +130,13 @@ equaliseMeasures(const HexMesh &             start,
   requireStages(options.finestStages);
   requireStages(options.directStages);
   require(options.repairRounds >= 0 && options.repairMargin > 0.0, "repair options out of range");
+  require(options.narrowScaledJacobian >= 0.0 && options.angleWeight >= 0.0, "polish options out of range");
   require(options.polishRounds >= 0, "number of polish rounds must not be negative");
   require(options.surfaceTolerance > 0.0 && options.coverageTolerance >= 0.0, "the tolerances must be positive");
-  const int n = options.nodesPerSide == 0 ? start.nodesPerSide : options.nodesPerSide;
+  const int  n = options.nodesPerSide == 0 ? start.nodesPerSide : options.nodesPerSide;
+  const bool isPadded = start.paddingLayers > 0;
   require(n >= start.nodesPerSide, "the lattice wanted is coarser than the one given");
+  require(!isPadded || n == start.nodesPerSide, "a mesh with padding is not refined");
 
   const Stopwatch           stopwatch;
   const EqualisationProblem problem{
@@ -152,9 +156,9 @@ equaliseMeasures(const HexMesh &             start,
   };
   if (n == start.nodesPerSide && !result.exact)
   {
-    keepBetter(equalisedDirectly(start, problem, progressBetween(progress, 0.0, 0.5)));
+    keepBetter(equalisedDirectly(start, problem, progressBetween(progress, 0.0, isPadded ? 1.0 : 0.5)));
   }
-  if (n > start.nodesPerSide || (!result.exact && n > coarse))
+  if (n > start.nodesPerSide || (!result.exact && n > coarse && !isPadded))
   {
     const std::vector<int> levels = refinementLevels(n > start.nodesPerSide ? start.nodesPerSide : coarse, n);
     const double           begin = n > start.nodesPerSide ? 0.0 : 0.5;

@@ -122,7 +122,7 @@ volumetricMoserFlow(const HexMesh &                    mesh,
                     const ProgressCallback &           progress)
 {
   requireOptions(options);
-  requireValid(mesh);
+  requireLattice(mesh);
   const std::vector<double> startVolumes = cellVolumes(mesh);
   const double              volume = std::accumulate(startVolumes.begin(), startVolumes.end(), 0.0);
   if (!(volume > 0.0))

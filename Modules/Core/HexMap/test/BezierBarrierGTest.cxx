@@ -16,22 +16,11 @@ namespace
 {
 using Eigen::VectorXd;
 
-std::vector<std::size_t>
-firstNodes(int n, const std::vector<std::size_t> & cells)
-{
-  std::vector<std::size_t> nodes;
-  for (const std::size_t cell : cells)
-  {
-    nodes.push_back(LatticeLayout(n).firstNode(cell));
-  }
-  return nodes;
-}
-
 LatticeEnergy
 barrier(int n, std::vector<std::size_t> cells, double margin, double weight)
 {
-  return [=, nodes = firstNodes(n, cells)](const VectorXd & x, VectorXd & gradient) {
-    return addBezierBarrier(LatticeLayout(n), x, nodes, margin, weight, gradient);
+  return [=](const VectorXd & x, VectorXd & gradient) {
+    return addBezierBarrier(LatticeLayout(n), x, cells, margin, weight, gradient);
   };
 }
 

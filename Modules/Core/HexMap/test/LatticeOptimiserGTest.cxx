@@ -36,7 +36,11 @@ optimiserOfBall(int n, unsigned int threads)
   const HexMesh       cubes =
     mappedLattice(n, [n](const Vector3 & x) { return Vector3((n - 1.0) * (x - Vector3::Constant(0.5))); });
   const double volume = (n - 1.0) * (n - 1.0) * (n - 1.0);
-  return { n, ball.distance(), surfacePoints(cubes.nodes, ball.distance(), volume, 2000, threads), volume, threads };
+  return { LatticeLayout(n),
+           ball.distance(),
+           surfacePoints(cubes.nodes, ball.distance(), volume, 2000, threads),
+           volume,
+           threads };
 }
 } // namespace
 
@@ -46,7 +50,7 @@ TEST(LatticeOptimiser, GradientHasTaylorRemainderOfSecondOrder)
   const HexMesh    mesh = shaken(ballOfCells(6).lattice(3), 0.6, 1);
   optimiser.attraction().freeze(vectorOf(mesh));
   optimiser.updateLevel(vectorOf(mesh));
-  optimiser.setBarrier({ LatticeLayout(6).firstNode(0), LatticeLayout(6).firstNode(62) }, 0.8, 2000.0);
+  optimiser.setBarrier({ 0, 62 }, 0.8, 2000.0);
   const auto energy = [&](const VectorXd & x, VectorXd & gradient) { return optimiser.energy(x, stage, gradient); };
   EXPECT_NEAR(taylorOrder(energy, mesh, 1e-5), 2.0, 0.1);
 }

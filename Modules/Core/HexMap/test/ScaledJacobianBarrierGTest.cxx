@@ -19,13 +19,8 @@ using Eigen::VectorXd;
 LatticeEnergy
 barrier(int n, const std::vector<std::size_t> & cells, double goal, double weight)
 {
-  std::vector<std::size_t> nodes;
-  for (const std::size_t cell : cells)
-  {
-    nodes.push_back(LatticeLayout(n).firstNode(cell));
-  }
   return [=](const VectorXd & x, VectorXd & gradient) {
-    return addScaledJacobianBarrier(LatticeLayout(n), x, nodes, goal, weight, gradient);
+    return addScaledJacobianBarrier(LatticeLayout(n), x, cells, goal, weight, gradient);
   };
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace moserhex;
 using namespace moserhex::testing;
@@ -62,6 +63,8 @@ referenceEnergy(const HexCorners & corners, double target, const ShapeEnergyWeig
       J.col(static_cast<Eigen::Index>(d)) = sign[a][d] * (corners[next[a][d]] - corners[a]);
     }
     energy += std::pow(meanRatio(J, weights.regularisation), weights.power) / 8.0;
+    const double scaledJacobian = J.determinant() / (J.col(0).norm() * J.col(1).norm() * J.col(2).norm());
+    energy += weights.angle * std::pow(1.0 - scaledJacobian, 2) / 8.0;
   }
   return energy + 0.5 * weights.volume * std::pow(hexVolume(corners) / target - 1.0, 2);
 }
@@ -69,11 +72,11 @@ referenceEnergy(const HexCorners & corners, double target, const ShapeEnergyWeig
 double
 referenceEnergy(const HexMesh & mesh, const VectorXd & targets, const ShapeEnergyWeights & weights)
 {
-  const LatticeLayout layout(mesh.nodesPerSide);
+  const LatticeLayout layout(mesh.nodesPerSide, mesh.paddingLayers);
   double              sum = 0.0;
   for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
   {
-    const double target = targets[static_cast<Eigen::Index>(layout.firstNode(cell))];
+    const double target = targets[static_cast<Eigen::Index>(layout.slot(cell))];
     sum += target > 0.0 ? referenceEnergy(cellCorners(mesh, cell), target, weights) : 0.0;
   }
   return sum;
@@ -81,10 +84,10 @@ referenceEnergy(const HexMesh & mesh, const VectorXd & targets, const ShapeEnerg
 
 /** Uneven targets in [0.5, 2) and, of every third cell or so, none. */
 VectorXd
-patchyTargets(int n, std::uint64_t seed)
+patchyTargets(int n, std::uint64_t seed, int layers = 0)
 {
   Random   random(seed);
-  VectorXd targets = unitTargetVolumes(LatticeLayout(n));
+  VectorXd targets = unitTargetVolumes(LatticeLayout(n, layers));
   for (Eigen::Index node = 0; node < targets.size(); ++node)
   {
     targets[node] *= random.uniform() < 0.3 ? 0.0 : random.uniform(0.5, 2.0);
@@ -132,6 +135,44 @@ TEST(ShapeEnergy, IsItsFormulaInScalars)
           << n << " " << amplitude << " " << power;
       }
     }
+  }
+}
+
+namespace
+{
+
+LatticeEnergy
+paddedShapeEnergy(int n, int layers, const ShapeEnergyWeights & weights, const VectorXd & targets)
+{
+  return [=](const VectorXd & x, VectorXd & gradient) {
+    return addShapeEnergy(LatticeLayout(n, layers), x, targets, weights, 1, gradient);
+  };
+}
+
+} // namespace
+
+TEST(ShapeEnergy, WithPaddingAndAnglesIsItsFormulaInScalars)
+{
+  for (const auto & [n, layers] : { std::pair(2, 1), std::pair(3, 2), std::pair(6, 1), std::pair(5, 0) })
+  {
+    for (const double amplitude : { 0.1, 0.5, 2.0 })
+    {
+      const HexMesh            mesh = paddedUnitCells(n, layers, amplitude, 3);
+      const ShapeEnergyWeights weights{ 0.05, 7.0, 2, 20.0 };
+      const VectorXd           targets = patchyTargets(n, 4, layers);
+      const double             expected = referenceEnergy(mesh, targets, weights);
+      EXPECT_NEAR(valueAt(paddedShapeEnergy(n, layers, weights, targets), vectorOf(mesh)), expected, 1e-13 * expected)
+        << n << " " << layers << " " << amplitude;
+    }
+  }
+}
+
+TEST(ShapeEnergy, GradientWithPaddingAndAnglesHasTaylorRemainderOfSecondOrder)
+{
+  for (const auto & [amplitude, step] : { std::pair(0.2, 1e-3), std::pair(1.5, 1e-4) })
+  {
+    const auto energy = paddedShapeEnergy(4, 2, { 0.1, 50.0, 1, 20.0 }, patchyTargets(4, 5, 2));
+    EXPECT_NEAR(taylorOrder(energy, paddedUnitCells(4, 2, amplitude, 6), step), 2.0, 0.1) << amplitude;
   }
 }
 
@@ -315,17 +356,17 @@ TEST_P(ShapeEnergyOf, AnInstructionSetIsTheSame)
 
 TEST(LatticeVolumes, AreThoseOfTheCells)
 {
-  for (const int n : { 2, 3, 8 })
+  for (const auto & [n, layers] : { std::pair(2, 0), std::pair(3, 0), std::pair(8, 0), std::pair(4, 2) })
   {
-    const HexMesh             mesh = unitCells(n, 0.8, 20); // some inverted
-    const LatticeLayout       layout(n);
+    const HexMesh             mesh = paddedUnitCells(n, layers, 0.8, 20); // some inverted
+    const LatticeLayout       layout(n, layers);
     const std::vector<double> expected = cellVolumes(mesh);
     VectorXd                  volumes = latticeVolumes(layout, vectorOf(mesh), 1);
-    ASSERT_EQ(volumes.size(), static_cast<Eigen::Index>(layout.stride));
+    ASSERT_EQ(volumes.size(), layout.slotCount());
     for (std::size_t cell = 0; cell < expected.size(); ++cell)
     {
-      double & volume = volumes[static_cast<Eigen::Index>(layout.firstNode(cell))];
-      EXPECT_NEAR(volume, expected[cell], 1e-13 * 8.0) << n << " " << cell;
+      double & volume = volumes[static_cast<Eigen::Index>(layout.slot(cell))];
+      EXPECT_NEAR(volume, expected[cell], 1e-13 * 27.0) << n << " " << cell;
       volume = 0.0;
     }
     EXPECT_EQ(volumes, VectorXd::Zero(volumes.size())) << n; // nothing where no cell begins

@@ -17,7 +17,7 @@ using LatticeEnergy = std::function<double(const Eigen::VectorXd & x, Eigen::Vec
 inline Eigen::VectorXd
 vectorOf(const HexMesh & mesh)
 {
-  return latticeVector(LatticeLayout(mesh.nodesPerSide), mesh.nodes, Vector3::Zero(), 1.0);
+  return latticeVector(LatticeLayout(mesh.nodesPerSide, mesh.paddingLayers), mesh.nodes, Vector3::Zero(), 1.0);
 }
 
 /** Cells of edge 1, every node moved by up to `amplitude` in every coordinate: from 0.3 on some corners are inverted,
@@ -31,6 +31,19 @@ unitCells(int n, double amplitude, std::uint64_t seed)
     const double b = random.uniform(-1, 1);
     const double c = random.uniform(-1, 1);
     return Vector3((n - 1.0) * x + amplitude * Vector3(a, b, c));
+  });
+}
+
+/** The same with layers of padding. */
+inline HexMesh
+paddedUnitCells(int n, int layers, double amplitude, std::uint64_t seed)
+{
+  Random random(seed);
+  return analytic::paddedLattice(n, layers, [&](const Vector3 & index) {
+    const double a = random.uniform(-1, 1);
+    const double b = random.uniform(-1, 1);
+    const double c = random.uniform(-1, 1);
+    return Vector3(index + amplitude * Vector3(a, b, c));
   });
 }
 
@@ -54,12 +67,14 @@ inline double
 taylorOrder(const LatticeEnergy & energy, const HexMesh & mesh, double largestStep)
 {
   const Eigen::VectorXd x = vectorOf(mesh);
-  const Eigen::VectorXd direction =
-    vectorOf(unitCells(mesh.nodesPerSide, 1.0, 17)) - vectorOf(unitCells(mesh.nodesPerSide, 0.0, 17));
-  Eigen::VectorXd     gradient = Eigen::VectorXd::Zero(x.size());
-  const double        value = energy(x, gradient);
-  std::vector<double> steps;
-  std::vector<double> remainders;
+  const auto            cells = [&mesh](double amplitude) {
+    return vectorOf(paddedUnitCells(mesh.nodesPerSide, mesh.paddingLayers, amplitude, 17));
+  };
+  const Eigen::VectorXd direction = cells(1.0) - cells(0.0);
+  Eigen::VectorXd       gradient = Eigen::VectorXd::Zero(x.size());
+  const double          value = energy(x, gradient);
+  std::vector<double>   steps;
+  std::vector<double>   remainders;
   for (double step = largestStep; step > 0.1 * largestStep; step *= 0.5)
   {
     steps.push_back(step);

@@ -345,6 +345,10 @@ summarizeQuality(const HexMesh & mesh, unsigned int threads)
   const double                      mean = meanVolume(mesh, cells);
   HexQualitySummary                 summary = summaryOf(cells, mean);
   summary.certified = certifyCells(mesh, {}, threads);
+  if (mesh.paddingLayers > 0)
+  {
+    return summary;
+  }
   summary.isLattice = true;
   std::array<ClassCollector, 3> classes; // by the number of faces touched: up to one, two, three
   for (std::size_t cell = 0; cell < summary.cells; ++cell)

@@ -1,6 +1,6 @@
 #include "BoundaryProjection.h"
 
-#include "moserhex/StructuredGrid/CubeLattice.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,22 +45,21 @@ nearestPointOn(const ClosestPointSearch & search, const CubicInterpolator & phi,
 BoundaryDistance
 boundaryDistance(const HexMesh & mesh, const SurfaceProjection & projection)
 {
-  const CubeLattice lattice(mesh.nodesPerSide / 2);
-  BoundaryDistance  result;
-  double            squares = 0.0;
-  std::size_t       count = 0;
-  const auto        add = [&](const Vector3 & p) {
+  BoundaryDistance result;
+  double           squares = 0.0;
+  std::size_t      count = 0;
+  const auto       add = [&](const Vector3 & p) {
     const double squared = (projection(p) - p).squaredNorm();
     squares += squared;
     ++count;
     result.maximum = std::max(result.maximum, std::sqrt(squared));
   };
-  for (const std::size_t node : lattice.nodesOfShell(lattice.shells()))
+  for (const std::size_t node : boundaryNodes(mesh))
   {
     add(mesh.nodes[node]);
   }
   result.maximumOfNodes = result.maximum;
-  for (const Quad & quad : lattice.quadsOfShell(lattice.shells()))
+  for (const Quadrilateral & quad : boundaryQuads(mesh))
   {
     add(0.25 * (mesh.nodes[quad[0]] + mesh.nodes[quad[1]] + mesh.nodes[quad[2]] + mesh.nodes[quad[3]]));
   }

@@ -3,6 +3,7 @@
 #include "FrameSearch.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/HexMap/MassMeasure.h"
+#include "moserhex/HexMap/Padding.h"
 
 #include <algorithm>
 #include <sstream>
@@ -30,26 +31,42 @@ keep(EqualisationResult && equalised, SolidMeshingResult & result)
   result.equalisation = std::move(equalised);
 }
 
+/** phi of the solid that is meshed; outlives the stage. */
+class MeshedSolid
+{
+public:
+  MeshedSolid(const ExactStage & stage, const SolidMeshingResult & result) : m_Stage(stage)
+  {
+    if (result.simplerSolid)
+    {
+      m_Simpler.emplace(*result.simplerSolid);
+    }
+  }
+
+  [[nodiscard]] SignedDistance
+  distance() const
+  {
+    return signedDistance(m_Simpler ? *m_Simpler : m_Stage.phi);
+  }
+
+private:
+  const ExactStage &               m_Stage;
+  std::optional<CubicInterpolator> m_Simpler;
+};
+
 /** Equal masses, from a mesh of equal volumes, on which the quadrature is chosen. */
 void
-equaliseMasses(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
+equaliseMasses(const ExactStage &          stage,
+               const EqualisationOptions & equalisation,
+               SolidMeshingResult &        result,
+               const ProgressCallback &    progress)
 {
-  const SolidMeshingOptions &      options = stage.options;
-  std::optional<CubicInterpolator> simpler;
-  if (result.simplerSolid)
-  {
-    simpler.emplace(*result.simplerSolid);
-  }
-  const MassQuadrature rule =
+  const SolidMeshingOptions & options = stage.options;
+  const MeshedSolid           solid(stage, result);
+  const MassQuadrature        rule =
     chooseMassQuadrature(result.mesh, *options.density, options.densityAccuracy, options.threads);
   const MassMeasure measure(*options.density, rule.options);
-  keep(equaliseMeasures(result.mesh,
-                        signedDistance(simpler ? *simpler : stage.phi),
-                        stage.volume,
-                        measure,
-                        stage.volume,
-                        equalisationOptions(options),
-                        progress),
+  keep(equaliseMeasures(result.mesh, solid.distance(), stage.volume, measure, stage.volume, equalisation, progress),
        result);
   result.mass = MassReport{ measureEquality(result.mesh, measure, options.threads).variance,
                             measure.estimateError(result.mesh, options.threads) };
@@ -214,7 +231,25 @@ makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressC
   Attempts(stage, result).run(progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0));
   if (hasDensity)
   {
-    equaliseMasses(stage, result, progressBetween(progress, 0.5, 1.0));
+    equaliseMasses(stage, equalisationOptions(stage.options), result, progressBetween(progress, 0.5, 1.0));
+  }
+}
+
+void
+padExactly(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
+{
+  const bool                hasDensity = stage.options.density != nullptr;
+  const MeshedSolid         solid(stage, result);
+  const EqualisationOptions options = paddingOptions(equalisationOptions(stage.options));
+  keep(equaliseVolumes(padded(result.mesh, stage.options.paddingLayers),
+                       solid.distance(),
+                       stage.volume,
+                       options,
+                       progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0)),
+       result);
+  if (hasDensity)
+  {
+    equaliseMasses(stage, options, result, progressBetween(progress, 0.5, 1.0));
   }
 }
 

@@ -27,6 +27,11 @@ struct ExactStage
 void
 makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress);
 
+/** Puts options.paddingLayers of padding around result.mesh and equalises all cells, by volume, or by mass where a
+ * density is given. Replaces result.mesh and result.equalisation, and result.mass with a density. */
+void
+padExactly(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress);
+
 /** Warns of what is missing for an exact mesh. The boundary counts as it was measured, which result.equalisation is
  * brought into line with.
  * \throws NotConverged  something is missing, and options.allowPartial is not set */

@@ -29,6 +29,7 @@ constexpr double afterSurfaces = 0.4;
 constexpr double afterSphereMaps = 0.8;
 constexpr double afterInitialMap = 0.85;
 constexpr double afterFlow = 0.9;
+constexpr double afterExact = 0.95; ///< with padding
 
 bool
 isFast(const SolidMeshingOptions & options)
@@ -123,6 +124,10 @@ public:
     if (m_Options.lastStage == MeshingStage::Exact)
     {
       equalise();
+    }
+    if (m_Options.paddingLayers > 0)
+    {
+      pad();
     }
     m_Result.boundary = m_Result.simplerSolid
                           ? boundaryDistanceTo(*m_Result.simplerSolid)
@@ -282,7 +287,8 @@ private:
         return initialMapOf(turned, 1, {});
       };
     }
-    makeExact(stage, m_Result, progressBetween(m_Progress, isFast(m_Options) ? afterInitialMap : afterFlow, 1.0));
+    const double end = m_Options.paddingLayers > 0 ? afterExact : 1.0;
+    makeExact(stage, m_Result, progressBetween(m_Progress, isFast(m_Options) ? afterInitialMap : afterFlow, end));
     std::ostringstream note;
     note << m_Result.equalisation->report.steps << " steps, "
          << (m_Result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified")
@@ -299,6 +305,19 @@ private:
     {
       m_Result.warnings.push_back(m_Result.turnWarning);
     }
+  }
+
+  /** J again, with padding. */
+  void
+  pad()
+  {
+    const ExactStage stage{ m_PhiAt, m_Volume, m_Options, m_Surfaces.back(), m_Maps.back(), {} };
+    padExactly(stage, m_Result, progressBetween(m_Progress, afterExact, 1.0));
+    std::ostringstream note;
+    note << m_Options.paddingLayers << (m_Options.paddingLayers == 1 ? " layer, " : " layers, ")
+         << m_Result.equalisation->report.steps << " steps, "
+         << (m_Result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified");
+    m_Log.add("padding", m_Result.mesh, note.str());
   }
 
   [[nodiscard]] BoundaryDistance
@@ -354,6 +373,15 @@ meshSolid(const LevelSet &            ordering,
   if (options.density != nullptr && options.lastStage != MeshingStage::Exact)
   {
     throw InvalidInput("a density needs the last stage Exact");
+  }
+  if (options.paddingLayers < 0 || options.paddingLayers > largestPadding)
+  {
+    throw InvalidInput(std::to_string(options.paddingLayers) + " layers of padding, need 0 to " +
+                       std::to_string(largestPadding));
+  }
+  if (options.paddingLayers > 0 && options.lastStage != MeshingStage::Exact)
+  {
+    throw InvalidInput("padding needs the last stage Exact");
   }
   return Chain(ordering, orderedPhi, phi, volume, options, progress).run();
 }

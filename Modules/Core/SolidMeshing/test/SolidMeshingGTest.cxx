@@ -256,3 +256,37 @@ TEST(MeshSolid, DensityWithoutTheLastStageIsRefused)
   options.lastStage = MeshingStage::Moser;
   EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, options), InvalidInput);
 }
+
+TEST(MeshSolid, PaddingFollowsTheExactStage)
+{
+  const OrderedSolid  solid = ellipsoid({ 15.0, 12.0, 10.0 }, 0.75);
+  SolidMeshingOptions options = withShells(4);
+  options.lastStage = MeshingStage::Exact;
+  options.paddingLayers = 1;
+  const SolidMeshingResult result = meshSolid(solid.ordering, solid.phi, solid.volume, options);
+  EXPECT_EQ(result.mesh.paddingLayers, 1);
+  EXPECT_EQ(result.mesh.nodesPerSide, 8);
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_EQ(result.stages.back().name, "padding");
+  EXPECT_LE(result.boundary.maximum, 0.5);
+  const HexQualitySummary & lattice = *result.stages[result.stages.size() - 2].quality;
+  const HexQualitySummary & withPadding = *result.stages.back().quality;
+  EXPECT_NEAR(withPadding.volume, solid.volume, 1e-9 * solid.volume);
+  EXPECT_LE(withPadding.volumeVariance, 1e-18);
+  EXPECT_GT(withPadding.scaledJacobian.minimum, lattice.scaledJacobian.minimum + 0.1);
+  EXPECT_GT(withPadding.scaledJacobian.mean, lattice.scaledJacobian.mean);
+}
+
+TEST(MeshSolid, PaddingOutOfRangeOrOfAnotherStageIsRefused)
+{
+  const OrderedSolid  solid = ellipsoid({ 12.0, 10.0, 10.0 }, 1.0);
+  SolidMeshingOptions options = withShells(3);
+  for (const int layers : { -1, largestPadding + 1 })
+  {
+    options.paddingLayers = layers;
+    EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, options), InvalidInput) << layers;
+  }
+  options.paddingLayers = 1;
+  options.lastStage = MeshingStage::Moser;
+  EXPECT_THROW((void)meshSolid(solid.ordering, solid.phi, solid.volume, options), InvalidInput);
+}

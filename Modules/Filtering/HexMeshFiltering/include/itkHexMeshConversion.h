@@ -3,22 +3,27 @@
 
 #include "itkTriangleMeshConversion.h"
 
-#include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/StructuredGrid/CubeLattice.h"
 
 #include <itkFixedArray.h>
 #include <itkHexahedronCell.h>
 #include <itkMesh.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
 
 namespace itk
 {
 
-/** Point data of a lattice mesh: lattice index i, j, k and shell number. */
+/** Point data of a lattice mesh: lattice index i, j, k and shell number; in layer l of the padding the index of the
+ * lattice's boundary node that the point stands over, and N + l. */
 using LatticePointData = FixedArray<double, 4>;
 
-/** Cell data of a lattice mesh: shell number and volume ratio (cell volume / mean cell volume). */
+/** Cell data of a lattice mesh: shell number (N + l in layer l of the padding) and volume ratio (cell volume / mean
+ * cell volume). */
 using LatticeCellData = FixedArray<double, 2>;
 
 /** Hexahedral mesh with double points, lattice index and shell number per point, shell number and volume ratio per
@@ -37,7 +42,8 @@ CopyHexMeshToItk(const moserhex::HexMesh & source, TMesh * target)
   using PointPixel = typename TMesh::PixelType;
   using CellPixel = typename TMesh::CellPixelType;
 
-  const moserhex::CubeLattice lattice(source.nodesPerSide / 2);
+  const moserhex::CubeLattice            lattice(source.nodesPerSide / 2);
+  const std::vector<moserhex::NodeIndex> indices = moserhex::nodeIndices(source);
   target->Initialize();
   target->GetPoints()->Reserve(source.nodes.size());
   for (std::size_t node = 0; node < source.nodes.size(); ++node)
@@ -49,15 +55,15 @@ CopyHexMeshToItk(const moserhex::HexMesh & source, TMesh * target)
       point[a] = source.nodes[node][a];
     }
     target->SetPoint(id, point);
-    const int shell = lattice.shellOfNode(node);
+    const auto [index, layer] = indices[node];
+    const int shell = layer == 0 ? lattice.shellOfNode(node) : lattice.shells() + layer;
     if constexpr (std::is_arithmetic<PointPixel>::value)
     {
       target->SetPointData(id, static_cast<PointPixel>(shell));
     }
     else
     {
-      const std::array<int, 3> index = lattice.nodeIndex(node);
-      PointPixel               data;
+      PointPixel data;
       data[0] = index[0];
       data[1] = index[1];
       data[2] = index[2];
@@ -92,44 +98,40 @@ CopyHexMeshToItk(const moserhex::HexMesh & source, TMesh * target)
     else
     {
       CellPixel data;
-      data[0] = lattice.shellOfCell(cellNumber);
+      data[0] = cellNumber < source.latticeCellCount()
+                  ? lattice.shellOfCell(cellNumber)
+                  : lattice.shells() + moserhex::pillowCell(source, cellNumber).layer;
       data[1] = ratio;
       target->SetCellData(id, data);
     }
   }
 }
 
-/** The lattice mesh whose points are those of an itk::Mesh, in order.
- * \throws ExceptionObject  when the number of points is not n^3, or a cell is not the lattice's */
+/** The lattice, with its padding, whose points are those of an itk::Mesh, in order.
+ * \throws ExceptionObject  when the numbers of points and cells are of no lattice, or a cell is not the lattice's */
 template <typename TMesh>
 moserhex::HexMesh
 HexMeshFromItk(const TMesh * source)
 {
-  moserhex::HexMesh mesh;
+  moserhex::UnstructuredHexMesh mesh;
   mesh.nodes = PositionsFromItk(source);
-  const auto count = mesh.nodes.size();
-  mesh.nodesPerSide = static_cast<int>(std::lround(std::cbrt(static_cast<double>(count))));
-  const auto n = static_cast<std::size_t>(mesh.nodesPerSide);
-  if (n < 2 || n * n * n != count || source->GetNumberOfCells() != mesh.cellCount())
-  {
-    itkGenericExceptionMacro(<< count << " points and " << source->GetNumberOfCells()
-                             << " cells are not a lattice of n^3 points and (n-1)^3 cells");
-  }
-  for (std::size_t cellNumber = 0; cellNumber < mesh.cellCount(); ++cellNumber)
+  for (IdentifierType id = 0; id < source->GetNumberOfCells(); ++id)
   {
     typename TMesh::CellType::CellAutoPointer cell;
-    const std::array<std::size_t, 8>          nodes = mesh.cellNodes(cellNumber);
-    bool same = source->GetCell(static_cast<IdentifierType>(cellNumber), cell) && cell->GetNumberOfPoints() == 8;
-    for (int c = 0; same && c < 8; ++c)
+    std::array<std::size_t, 8>                nodes{};
+    if (source->GetCell(id, cell) && cell->GetNumberOfPoints() == nodes.size())
     {
-      same = cell->GetPointIds()[c] == nodes[c];
+      std::copy(cell->PointIdsBegin(), cell->PointIdsEnd(), nodes.begin());
     }
-    if (!same)
-    {
-      itkGenericExceptionMacro("cell " << cellNumber << " is not the lattice's");
-    }
+    mesh.cells.push_back(nodes);
   }
-  return mesh;
+  std::optional<moserhex::HexMesh> lattice = moserhex::asLattice(mesh);
+  if (!lattice)
+  {
+    itkGenericExceptionMacro(<< mesh.nodes.size() << " points and " << mesh.cells.size()
+                             << " cells are not a lattice of n^3 points and (n-1)^3 cells in its order");
+  }
+  return std::move(*lattice);
 }
 
 } // namespace itk

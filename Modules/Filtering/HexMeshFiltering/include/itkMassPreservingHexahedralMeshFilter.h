@@ -79,6 +79,10 @@ public:
   /** How the cube is turned against the body: Anatomical (default) or Ridge. */
   itkOptionMacro(Frame, moserhex::LatticeFrame, frame);
 
+  /** L, layers of pillow cells around the lattice, for finite elements: no cell is left with two faces on the surface.
+   * Default 0. Only with the last stage Exact. */
+  itkOptionMacro(PaddingLayers, int, paddingLayers);
+
   /** A positive density on the label's space: cells get equal masses instead of equal volumes. The grid may differ from
    * the label's. Optional; only with the last stage Exact. */
   using DensityImageType = Image<double, 3>;

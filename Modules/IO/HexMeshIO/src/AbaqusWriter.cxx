@@ -63,7 +63,7 @@ abaqusText(const HexMeshContent & content)
   const auto shells = cellsOfShells(content.shell);
   for (std::size_t shell = 1; shell <= shells.size(); ++shell)
   {
-    addSet(text, "ELSET", shellName(shell), shells[shell - 1]);
+    addSet(text, "ELSET", shellName(mesh, shell), shells[shell - 1]);
   }
   for (const CubeFace & face : cubeFaces(mesh))
   {

@@ -1,5 +1,6 @@
 #include "HexMeshFormats.h"
 #include "NetcdfFile.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 
 namespace moserhex
 {
@@ -130,7 +131,7 @@ private:
     for (std::size_t shell = 1; shell <= m_Shells.size(); ++shell)
     {
       const auto & cells = m_Shells[shell - 1];
-      names.push_back(shellName(shell));
+      names.push_back(shellName(m_Mesh, shell));
       m_CellsOfBlock.push_back(m_File.addDimension(numbered("num_el_in_blk", shell), cells.size()));
       const auto corners = m_File.addDimension(numbered("num_nod_per_el", shell), 8);
       Integers   connectivity;
@@ -206,12 +207,17 @@ private:
   nodeFields() const
   {
     std::vector<Field> fields{ { "LatticeIndex_X", {} }, { "LatticeIndex_Y", {} }, { "LatticeIndex_Z", {} } };
-    const auto         n = static_cast<std::size_t>(m_Mesh.nodesPerSide);
-    for (std::size_t node = 0; node < m_Mesh.nodes.size(); ++node)
+    for (const NodeIndex & index : nodeIndices(m_Mesh))
     {
-      fields[0].values.push_back(static_cast<double>(node % n));
-      fields[1].values.push_back(static_cast<double>(node / n % n));
-      fields[2].values.push_back(static_cast<double>(node / (n * n)));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        fields[axis].values.push_back(static_cast<double>(index.lattice[axis]));
+      }
+    }
+    if (m_Mesh.paddingLayers > 0)
+    {
+      const std::vector<int> layers = paddingLayerOfNodes(m_Mesh);
+      fields.push_back({ "PaddingLayer", { layers.begin(), layers.end() } });
     }
     const Positions & cube = m_Content.fields.cubeCoordinates;
     if (!cube.empty())

@@ -51,7 +51,7 @@ febioText(const HexMeshContent & content)
   text << "    </Nodes>\n";
   for (std::size_t shell = 1; shell <= shells.size(); ++shell)
   {
-    text << "    <Elements type=\"hex8\" name=\"" << shellName(shell) << "\">\n";
+    text << "    <Elements type=\"hex8\" name=\"" << shellName(mesh, shell) << "\">\n";
     for (const std::size_t cell : shells[shell - 1])
     {
       text << "      <elem id=\"" << cell + 1 << "\">";
@@ -66,7 +66,7 @@ febioText(const HexMeshContent & content)
   text << "  </Mesh>\n  <MeshDomains>\n";
   for (std::size_t shell = 1; shell <= shells.size(); ++shell)
   {
-    text << "    <SolidDomain name=\"" << shellName(shell) << "\" mat=\"placeholder\"/>\n";
+    text << "    <SolidDomain name=\"" << shellName(mesh, shell) << "\" mat=\"placeholder\"/>\n";
   }
   text << "  </MeshDomains>\n</febio_spec>\n";
   return text.take();

@@ -1,5 +1,6 @@
 #include "HexMeshFormats.h"
 #include "MeshText.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 
 #include <limits>
 
@@ -96,7 +97,7 @@ private:
     }
     for (std::size_t shell = 1; shell <= m_Shells.size(); ++shell)
     {
-      m_Text << "3 " << shell << " \"" << shellName(shell) << "\"\n";
+      m_Text << "3 " << shell << " \"" << shellName(m_Mesh, shell) << "\"\n";
     }
     m_Text << "$EndPhysicalNames\n";
   }
@@ -244,12 +245,22 @@ private:
   writeData()
   {
     beginData("NodeData", "LatticeIndex", 3, m_Mesh.nodes.size());
-    const auto n = static_cast<std::size_t>(m_Mesh.nodesPerSide);
-    for (std::size_t node = 0; node < m_Mesh.nodes.size(); ++node)
+    const std::vector<NodeIndex> indices = nodeIndices(m_Mesh);
+    for (std::size_t node = 0; node < indices.size(); ++node)
     {
-      m_Text << node + 1 << ' ' << node % n << ' ' << node / n % n << ' ' << node / (n * n) << '\n';
+      const auto & at = indices[node].lattice;
+      m_Text << node + 1 << ' ' << at[0] << ' ' << at[1] << ' ' << at[2] << '\n';
     }
     m_Text << "$EndNodeData\n";
+    if (m_Mesh.paddingLayers > 0)
+    {
+      beginData("NodeData", "PaddingLayer", 1, indices.size());
+      for (std::size_t node = 0; node < indices.size(); ++node)
+      {
+        m_Text << node + 1 << ' ' << indices[node].layer << '\n';
+      }
+      m_Text << "$EndNodeData\n";
+    }
     if (!m_Content.fields.cubeCoordinates.empty())
     {
       beginData("NodeData", "CubeCoordinate", 3, m_Mesh.nodes.size());

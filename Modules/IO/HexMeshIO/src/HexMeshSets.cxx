@@ -1,5 +1,7 @@
 #include "HexMeshSets.h"
 
+#include "moserhex/Geometry/HexMeshNumbering.h"
+
 #include <algorithm>
 
 namespace moserhex
@@ -24,31 +26,40 @@ constexpr std::array<FaceDescription, 6> faceDescriptions{ {
   { "FACE_K1", 2, true, { 4, 5, 6, 7 } },
 } };
 
-/** Numbers of the entries of an m^3 lattice on one of its sides, ascending. */
+/** The cells that have a side on a face of the cube, ascending. */
 std::vector<std::size_t>
-numbersOnSide(std::size_t m, const FaceDescription & face)
+cellsOnFace(const HexMesh & mesh, const FaceDescription & face, std::size_t number)
 {
-  std::vector<std::size_t> numbers;
-  numbers.reserve(m * m);
+  const auto               m = static_cast<std::size_t>(mesh.nodesPerSide - 1);
+  std::vector<std::size_t> cells;
+  cells.reserve(m * m);
   const std::size_t wanted = face.last ? m - 1 : 0;
+  const std::size_t ofPadding = mesh.cellCount() - (6 - number) * m * m;
   for (std::size_t second = 0; second < m; ++second)
   {
     for (std::size_t first = 0; first < m; ++first)
     {
-      switch (face.axis)
-      {
-        case 0:
-          numbers.push_back(wanted + m * (first + m * second));
-          break;
-        case 1:
-          numbers.push_back(first + m * (wanted + m * second));
-          break;
-        default:
-          numbers.push_back(first + m * (second + m * wanted));
-      }
+      const std::array<std::size_t, 3> steps[] = { { wanted, first, second },
+                                                   { first, wanted, second },
+                                                   { first, second, wanted } };
+      const std::array<std::size_t, 3> at = steps[face.axis];
+      cells.push_back(mesh.paddingLayers > 0 ? ofPadding + first + m * second : at[0] + m * (at[1] + m * at[2]));
     }
   }
-  return numbers;
+  return cells;
+}
+
+std::vector<std::size_t>
+nodesOnFace(const std::vector<CubeFaceSide> & sides)
+{
+  std::vector<std::size_t> nodes;
+  for (const CubeFaceSide & side : sides)
+  {
+    nodes.insert(nodes.end(), side.nodes.begin(), side.nodes.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
 }
 
 } // namespace
@@ -56,15 +67,13 @@ numbersOnSide(std::size_t m, const FaceDescription & face)
 std::array<CubeFace, 6>
 cubeFaces(const HexMesh & mesh)
 {
-  const auto              n = static_cast<std::size_t>(mesh.nodesPerSide);
   std::array<CubeFace, 6> faces;
   for (std::size_t number = 0; number < faces.size(); ++number)
   {
     const FaceDescription & description = faceDescriptions[number];
     CubeFace &              face = faces[number];
     face.name = description.name;
-    face.nodes = numbersOnSide(n, description);
-    for (const std::size_t cell : numbersOnSide(n - 1, description))
+    for (const std::size_t cell : cellsOnFace(mesh, description, number))
     {
       const auto    nodes = mesh.cellNodes(cell);
       Quadrilateral side{};
@@ -73,21 +82,16 @@ cubeFaces(const HexMesh & mesh)
       });
       face.sides.push_back({ cell, side });
     }
+    face.nodes = nodesOnFace(face.sides);
   }
   return faces;
 }
 
-int
-shellCount(int nodesPerSide)
-{
-  return nodesPerSide / 2;
-}
-
 std::vector<int>
-shellOfCells(int nodesPerSide)
+shellOfCells(const HexMesh & mesh)
 {
-  const int        m = nodesPerSide - 1;
-  const int        shells = shellCount(nodesPerSide);
+  const int        m = mesh.nodesPerSide - 1;
+  const int        shells = mesh.nodesPerSide / 2;
   const auto       layers = [m](int index) { return std::min(index, m - 1 - index); };
   std::vector<int> shellOfCell;
   for (int k = 0; k < m; ++k)
@@ -100,7 +104,22 @@ shellOfCells(int nodesPerSide)
       }
     }
   }
+  for (std::size_t cell = mesh.latticeCellCount(); cell < mesh.cellCount(); ++cell)
+  {
+    shellOfCell.push_back(shells + pillowCell(mesh, cell).layer);
+  }
   return shellOfCell;
+}
+
+std::vector<int>
+paddingLayerOfNodes(const HexMesh & mesh)
+{
+  std::vector<int> layers;
+  for (const NodeIndex & index : nodeIndices(mesh))
+  {
+    layers.push_back(index.layer);
+  }
+  return layers;
 }
 
 std::vector<std::vector<std::size_t>>
@@ -116,9 +135,10 @@ cellsOfShells(const std::vector<int> & shellOfCell)
 }
 
 std::string
-shellName(std::size_t shell)
+shellName(const HexMesh & mesh, std::size_t shell)
 {
-  return "SHELL_" + std::to_string(shell);
+  const auto shells = static_cast<std::size_t>(mesh.nodesPerSide / 2);
+  return shell <= shells ? "SHELL_" + std::to_string(shell) : "PADDING_" + std::to_string(shell - shells);
 }
 
 } // namespace moserhex

@@ -19,7 +19,8 @@ struct CubeFaceSide
   Quadrilateral nodes; ///< counter-clockwise seen from outside
 };
 
-/** One of the six sides of the cube: nodes with i = 0, i = n-1, j = 0, j = n-1, k = 0, k = n-1. */
+/** One of the six sides of the cube: nodes with i = 0, i = n-1, j = 0, j = n-1, k = 0, k = n-1, in the outermost layer
+ * of padding where there is one. */
 struct CubeFace
 {
   std::string               name;  ///< FACE_I0 FACE_I1 FACE_J0 FACE_J1 FACE_K0 FACE_K1
@@ -31,20 +32,21 @@ struct CubeFace
 [[nodiscard]] std::array<CubeFace, 6>
 cubeFaces(const HexMesh & mesh);
 
-/** Number of shells, n/2. */
-[[nodiscard]] int
-shellCount(int nodesPerSide);
-
-/** Shell of every cell: N - (layers of cells between it and the surface), 1 in the middle and N outermost. */
+/** Shell of every cell: N - (layers of cells between it and the lattice's boundary), 1 in the middle and N = n/2
+ * outermost; N + l in layer l of the padding. */
 [[nodiscard]] std::vector<int>
-shellOfCells(int nodesPerSide);
+shellOfCells(const HexMesh & mesh);
 
-/** Cells of each shell, ascending; entry s-1 is shell s, named shellName(s). None is empty. */
+/** Of every node, 0 in the lattice. */
+[[nodiscard]] std::vector<int>
+paddingLayerOfNodes(const HexMesh & mesh);
+
+/** Cells of each shell, ascending; entry s-1 is shell s, named shellName(mesh, s). None is empty. */
 [[nodiscard]] std::vector<std::vector<std::size_t>>
 cellsOfShells(const std::vector<int> & shellOfCell);
 
-/** "SHELL_1", ... */
+/** "SHELL_1", ..., "SHELL_N", "PADDING_1", ... */
 [[nodiscard]] std::string
-shellName(std::size_t shell);
+shellName(const HexMesh & mesh, std::size_t shell);
 
 } // namespace moserhex

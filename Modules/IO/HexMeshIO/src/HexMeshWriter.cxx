@@ -29,12 +29,12 @@ requireSize(const char * what, std::size_t actual, std::size_t expected)
 std::vector<double>
 checkedVolumeRatios(const HexMesh & mesh, const HexMeshFields & fields)
 {
-  if (mesh.nodesPerSide < 2)
+  if (mesh.nodesPerSide < 2 || mesh.paddingLayers < 0)
   {
-    throw InvalidInput("writeHexMesh: nodesPerSide = " + std::to_string(mesh.nodesPerSide) + ", need >= 2");
+    throw InvalidInput("writeHexMesh: nodesPerSide = " + std::to_string(mesh.nodesPerSide) +
+                       ", paddingLayers = " + std::to_string(mesh.paddingLayers) + ", need >= 2 and >= 0");
   }
-  const auto n = static_cast<std::size_t>(mesh.nodesPerSide);
-  requireSize("nodes", mesh.nodes.size(), n * n * n);
+  requireSize("nodes", mesh.nodes.size(), nodeCount(mesh.nodesPerSide, mesh.paddingLayers));
   if (!fields.scaledJacobian.empty())
   {
     requireSize("scaled Jacobians", fields.scaledJacobian.size(), mesh.cellCount());
@@ -119,7 +119,7 @@ requireSame(const AtomicFile & file, const HexMesh & mesh)
     ReadOptions options;
     options.sandbox = false; // a file of our own, in a program that may be busy with threads
     const HexMesh read = readHexMesh(file.partName(), options);
-    if (read.nodesPerSide == mesh.nodesPerSide &&
+    if (read.nodesPerSide == mesh.nodesPerSide && read.paddingLayers == mesh.paddingLayers &&
         std::equal(mesh.nodes.begin(), mesh.nodes.end(), read.nodes.begin(), read.nodes.end(), same))
     {
       return;
@@ -166,7 +166,7 @@ writeHexMesh(const std::string &          fileName,
                    std::string("give a name that ends with ") + hexMeshEndings);
   }
   std::vector<double>  ratios = checkedVolumeRatios(mesh, fields);
-  const HexMeshContent content{ mesh, fields, std::move(ratios), shellOfCells(mesh.nodesPerSide) };
+  const HexMeshContent content{ mesh, fields, std::move(ratios), shellOfCells(mesh) };
   AtomicFile           file(fileName);
   if (isVtkName(fileName))
   {

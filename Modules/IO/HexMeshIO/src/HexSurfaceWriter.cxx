@@ -2,6 +2,7 @@
 
 #include "FileNames.h"
 #include "HexMeshSets.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
@@ -14,24 +15,15 @@ namespace moserhex
 namespace
 {
 
-/** Numbers of the boundary's nodes among themselves, by node of the lattice; -1: inside. */
+/** Numbers of the boundary's nodes among themselves, by node of the mesh; -1: inside. */
 std::vector<int>
-numbersOnBoundary(const HexMesh & mesh, int & count)
+numbersOnBoundary(const HexMesh & mesh)
 {
-  const int        n = mesh.nodesPerSide;
-  const auto       isEnd = [n](int index) { return index == 0 || index == n - 1; };
-  std::vector<int> numbers;
-  numbers.reserve(mesh.nodes.size());
-  count = 0;
-  for (int k = 0; k < n; ++k)
+  std::vector<int> numbers(mesh.nodes.size(), -1);
+  int              count = 0;
+  for (const std::size_t node : boundaryNodes(mesh))
   {
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i < n; ++i)
-      {
-        numbers.push_back(isEnd(i) || isEnd(j) || isEnd(k) ? count++ : -1);
-      }
-    }
+    numbers[node] = count++;
   }
   return numbers;
 }
@@ -48,8 +40,9 @@ writeHexSurface(const std::string & fileName, const HexMesh & mesh)
   }
   requireValid(mesh);
   const auto             n = static_cast<std::size_t>(mesh.nodesPerSide);
-  int                    count = 0;
-  const std::vector<int> numbers = numbersOnBoundary(mesh, count);
+  const std::size_t      count = boundaryNodeCount(mesh.nodesPerSide);
+  const std::vector<int> numbers = numbersOnBoundary(mesh);
+  const auto             nodes = nodeIndices(mesh);
   const auto             faces = cubeFaces(mesh);
   std::ostringstream     points;
   std::ostringstream     indices;
@@ -62,7 +55,8 @@ writeHexSurface(const std::string & fileName, const HexMesh & mesh)
     {
       const Vector3 & p = mesh.nodes[node];
       points << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-      indices << node % n << ' ' << node / n % n << ' ' << node / (n * n) << '\n';
+      const auto & at = nodes[node].lattice;
+      indices << at[0] << ' ' << at[1] << ' ' << at[2] << '\n';
     }
   }
   for (std::size_t face = 0; face < faces.size(); ++face)

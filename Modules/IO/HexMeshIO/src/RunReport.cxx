@@ -53,6 +53,7 @@ Json
 parametersJson(const RunReport::Parameters & parameters)
 {
   Json json{ { "shells", parameters.shells },
+             { "padding", parameters.padding },
              { "stage", parameters.stage },
              { "shell_method", parameters.shellMethod },
              { "way", parameters.way },

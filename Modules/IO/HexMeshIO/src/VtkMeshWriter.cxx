@@ -1,6 +1,8 @@
 #include "FileNames.h"
 #include "HexMeshFormats.h"
+#include "HexMeshSets.h"
 #include "VtkMessages.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <vtkCellArray.h>
@@ -28,20 +30,14 @@ namespace
 {
 
 vtkSmartPointer<vtkIntArray>
-latticeIndices(int nodesPerSide)
+latticeIndices(const HexMesh & mesh)
 {
   auto array = vtkSmartPointer<vtkIntArray>::New();
   array->SetName("LatticeIndex");
   array->SetNumberOfComponents(3);
-  for (int k = 0; k < nodesPerSide; ++k)
+  for (const NodeIndex & index : nodeIndices(mesh))
   {
-    for (int j = 0; j < nodesPerSide; ++j)
-    {
-      for (int i = 0; i < nodesPerSide; ++i)
-      {
-        array->InsertNextTuple3(i, j, k);
-      }
-    }
+    array->InsertNextTypedTuple(index.lattice.data());
   }
   return array;
 }
@@ -101,7 +97,11 @@ makeGrid(const HexMeshContent & content)
     std::transform(nodes.begin(), nodes.end(), ids.begin(), [](std::size_t id) { return static_cast<vtkIdType>(id); });
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
   }
-  grid->GetPointData()->AddArray(latticeIndices(mesh.nodesPerSide));
+  grid->GetPointData()->AddArray(latticeIndices(mesh));
+  if (mesh.paddingLayers > 0)
+  {
+    grid->GetPointData()->AddArray(integerArray("PaddingLayer", paddingLayerOfNodes(mesh)));
+  }
   if (!fields.cubeCoordinates.empty())
   {
     grid->GetPointData()->AddArray(vectorArray("CubeCoordinate", fields.cubeCoordinates));

@@ -38,7 +38,7 @@ requireValid(const UnstructuredHexMesh & mesh);
 [[nodiscard]] UnstructuredHexMesh
 unstructured(const HexMesh & mesh);
 
-/** The lattice, when the mesh is one: n^3 nodes and (n-1)^3 cells, numbered and connected as in HexMesh. */
+/** The lattice, with its padding, when the mesh is one: nodes and cells numbered and connected as in HexMesh. */
 [[nodiscard]] std::optional<HexMesh>
 asLattice(const UnstructuredHexMesh & mesh);
 

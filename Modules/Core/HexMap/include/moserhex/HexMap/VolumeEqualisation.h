@@ -22,6 +22,7 @@ struct EqualisationStage
   double surfaceWeight{ 80.0 }; ///< w_s, of the squared distance to the surface [1]
   int    maximumSteps{ 60 };    ///< of L-BFGS [1]
   int    power{ 1 };            ///< p, of the mean ratio: larger values lift the worst cells [1]
+  double angleWeight{ 0.0 };    ///< w_a, of (1 - scaled Jacobian of a corner)^2 [1]
 };
 
 struct EqualisationOptions
@@ -36,8 +37,10 @@ struct EqualisationOptions
   int    repairRounds{ 16 }; ///< of pushing uncertified cells open and projecting again
   double repairMargin{
     0.03
-  };                     ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1
-  int polishRounds{ 8 }; ///< of lifting the narrowest corners of an exact mesh and projecting again
+  };                        ///< Bezier coefficients of doubtful cells are pushed above this, det J of a mean cell = 1
+  int    polishRounds{ 8 }; ///< of lifting the narrowest corners of an exact mesh and projecting again
+  double narrowScaledJacobian{ 0.18 }; ///< a mesh with a smaller scaled Jacobian than this is polished [1]
+  double angleWeight{ 0.0 };           ///< w_a while a mesh is repaired or polished [1]
   /** A minimised mesh with more uncertified cells is returned as it is, not equal, for want of prospects. */
   std::size_t hopelessCells{ std::numeric_limits<std::size_t>::max() };
   double      surfaceTolerance{ 0.5 }; ///< a boundary farther than this from the surface is reported as failed [mm]
@@ -87,24 +90,24 @@ tangledCells(int nodesPerSide);
 /** Every cell the same volume (or mass), none concave, the boundary on the organ's surface (stage J).
  *
  * 1. Untangles, smooths and equalises together: L-BFGS on
- *      E(x) = sum over cells of [ 1/8 sum over corners of f^p + w_v/2 (v / v* - 1)^2 ] + w_s/2 sum of (s(x) - c)^2
- *    f the regularised mean ratio, s the signed distance of boundary nodes and quad centres in cell edges, which slide
- *    freely; the inverse of the lattice Laplacian by cosine transforms stands in for the inverse Hessian. From the
- *    lattice given through ever finer ones, prolonged by cubics. Points of the surface that the boundary has drained
- *    from, or that the start does not reach, pull it to them.
+ *      E(x) = sum over cells of [ 1/8 sum over corners of (f^p + w_a (1 - q)^2) + w_v/2 (v / v* - 1)^2 ]
+ *           + w_s/2 sum of (s(x) - c)^2
+ *    f the regularised mean ratio, q the scaled Jacobian of a corner, s the signed distance of boundary nodes and quad
+ * centres in cell edges, which slide freely; the inverse of the lattice Laplacian by cosine transforms stands in for
+ * the inverse Hessian. From the lattice given through ever finer ones, prolonged by cubics. Points of the surface that
+ * the boundary has drained from, or that the start does not reach, pull it to them.
  * 2. Newton projection onto equal measures by the smoothest displacement (EqualMeasureProjection.h).
  * 3. Certifies det J > 0 in every cell by its Bezier coefficients, pushes the doubtful ones open, and projects again.
- * 4. Lifts the corners of the smallest scaled Jacobian where it is below 0.18, and projects again.
+ * 4. Lifts the corners of the smallest scaled Jacobian where it is narrow, and projects again.
  *
- * \param start    any lattice of the same solid, tangled or not; n >= 2, at most the n wanted
- * \param phi      the organ's surface is {phi = 0}, closed; negative somewhere in the box around the start [mm]
- * \param volume   of the label, > 0 [mm^3]
- * \param measure  what is equalised; for VolumeMeasure the total is `volume`
- * \param total    sum of the measure over the organ; every cell gets total / (n-1)^3, > 0 [unit of the measure]
- * \throws InvalidInput  no n^3 finite nodes; a volume, total or option out of range; no closed surface at the start
- * \throws Cancelled     by the callback
- * \note Never throws for a mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is
- * returned as it is. Deterministic for any number of threads. */
+ * \param start    any mesh of the same solid, tangled or not; n >= 2, at most the n wanted. One with padding
+ * (Padding.h) keeps its n and is not taken back to coarser lattices \param phi      the organ's surface is {phi = 0},
+ * closed; negative somewhere in the box around the start [mm] \param volume   of the label, > 0 [mm^3] \param measure
+ * what is equalised; for VolumeMeasure the total is `volume` \param total    sum of the measure over the organ; every
+ * cell gets the same part, > 0 [unit of the measure] \throws InvalidInput  no n^3 finite nodes; a volume, total or
+ * option out of range; no closed surface at the start \throws Cancelled     by the callback \note Never throws for a
+ * mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is returned as it is.
+ * Deterministic for any number of threads. */
 [[nodiscard]] EqualisationResult
 equaliseMeasures(const HexMesh &             start,
                  const SignedDistance &      phi,

@@ -80,12 +80,13 @@ struct HexQualitySummary
   HexClassQuality   rest;
 };
 
-/** Results do not depend on the number of threads (as in parallelFor; 0: all of the machine's).
- * \throws InvalidInput  the number of nodes is not n^3, or a coordinate is not finite (names the node) */
+/** Results do not depend on the number of threads (as in parallelFor; 0: all of the machine's). A lattice without
+ * padding gets the classes.
+ * \throws InvalidInput  as requireValid(mesh) */
 [[nodiscard]] HexQualitySummary
 summarizeQuality(const HexMesh & mesh, unsigned int threads = 1);
 
-/** Any hexahedral mesh. One that is a lattice (asLattice) gets the classes, too.
+/** Any hexahedral mesh. One that is a lattice without padding (asLattice) gets the classes, too.
  * \throws InvalidInput  as requireValid(mesh) */
 [[nodiscard]] HexQualitySummary
 summarizeQuality(const UnstructuredHexMesh & mesh, unsigned int threads = 1);

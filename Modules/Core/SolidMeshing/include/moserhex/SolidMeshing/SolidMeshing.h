@@ -69,6 +69,10 @@ struct SolidMeshingOptions
   VolumetricMoserFlowOptions flow;         ///< stage I
   EqualisationOptions        equalisation; ///< stage J; its size and thread count are replaced
 
+  /** L, layers of pillow cells around the lattice after stage J, all cells of lattice and layers equal (Padding.h).
+   * Only with the last stage Exact; refused otherwise. */
+  int paddingLayers{ 0 };
+
   /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
    * null: volumes. Only with the last stage Exact; refused otherwise. */
   const Density * density{ nullptr };
@@ -79,6 +83,9 @@ struct SolidMeshingOptions
 
   unsigned int threads{ 0 }; ///< 0: all of the machine's; the result does not depend on it
 };
+
+/** Most layers of padding. */
+constexpr int largestPadding = 8;
 
 /** Shells that are cut out and mapped: N, or those of the fast way. */
 [[nodiscard]] int
@@ -111,7 +118,7 @@ struct MassReport
 
 struct SolidMeshingResult
 {
-  HexMesh                              mesh;       ///< of the last stage
+  HexMesh                              mesh;       ///< of the last stage, with its padding
   std::vector<MeshingStageReport>      stages;     ///< in order of execution
   ShellSurfacesSummary                 shells;     ///< stage C
   std::vector<AreaPreservingMapResult> sphereMaps; ///< entry k-1 for shell k; positions are emptied

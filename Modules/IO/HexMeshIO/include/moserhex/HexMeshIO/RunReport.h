@@ -47,6 +47,7 @@ struct RunReport
   struct Parameters
   {
     int         shells{ 0 };
+    int         padding{ 0 }; ///< layers of pillow cells
     std::string stage;
     std::string shellMethod;
     std::string way;     ///< fast | faithful; empty when the stage is not exact

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "moserhex/Geometry/UnstructuredHexMesh.h"
+
+#include <array>
+#include <vector>
+
+namespace moserhex
+{
+
+struct NodeIndex
+{
+  std::array<int, 3> lattice; ///< i, j, k; of a node of the padding: of the boundary node that it stands over
+  int                layer;   ///< of the padding, 0 in the lattice
+};
+
+/** Of every node. */
+[[nodiscard]] std::vector<NodeIndex>
+nodeIndices(const HexMesh & mesh);
+
+/** Nodes on the boundary of the mesh: of its outermost layer of padding, or of the lattice where there is none.
+ * Ascending, B = n^3 - (n-2)^3 of them. */
+[[nodiscard]] std::vector<std::size_t>
+boundaryNodes(const HexMesh & mesh);
+
+/** The node numbers around every quadrilateral of the boundary, 6 (n-1)^2 of them; orientation differs from face to
+ * face. */
+[[nodiscard]] std::vector<Quadrilateral>
+boundaryQuads(const HexMesh & mesh);
+
+} // namespace moserhex

@@ -1,0 +1,82 @@
+#include "moserhex/Geometry/HexMeshNumbering.h"
+
+namespace moserhex
+{
+
+namespace
+{
+
+/** body(i, j, k) for the nodes of the lattice in the order of their numbers, or for those on its boundary alone. */
+template <typename TBody>
+void
+forEachIndex(int n, bool boundaryOnly, TBody body)
+{
+  const auto isEnd = [n](int index) { return index == 0 || index == n - 1; };
+  for (int k = 0; k < n; ++k)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        if (!boundaryOnly || isEnd(i) || isEnd(j) || isEnd(k))
+        {
+          body(i, j, k);
+        }
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::vector<NodeIndex>
+nodeIndices(const HexMesh & mesh)
+{
+  std::vector<NodeIndex> indices;
+  indices.reserve(mesh.nodes.size());
+  for (int layer = 0; layer <= mesh.paddingLayers; ++layer)
+  {
+    forEachIndex(mesh.nodesPerSide, layer > 0, [&](int i, int j, int k) { indices.push_back({ { i, j, k }, layer }); });
+  }
+  return indices;
+}
+
+std::vector<std::size_t>
+boundaryNodes(const HexMesh & mesh)
+{
+  std::vector<std::size_t> nodes;
+  forEachIndex(mesh.nodesPerSide, true, [&](int i, int j, int k) {
+    nodes.push_back(mesh.paddingNodeNumber(mesh.paddingLayers, i, j, k));
+  });
+  return nodes;
+}
+
+std::vector<Quadrilateral>
+boundaryQuads(const HexMesh & mesh)
+{
+  const int                  n = mesh.nodesPerSide;
+  std::vector<Quadrilateral> quads;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const int side : { 0, n - 1 })
+    {
+      const auto node = [&](int a, int b) {
+        std::array<int, 3> at{};
+        at[axis] = side;
+        at[(axis + 1) % 3] = a;
+        at[(axis + 2) % 3] = b;
+        return mesh.paddingNodeNumber(mesh.paddingLayers, at[0], at[1], at[2]);
+      };
+      for (int b = 0; b + 1 < n; ++b)
+      {
+        for (int a = 0; a + 1 < n; ++a)
+        {
+          quads.push_back({ node(a, b), node(a + 1, b), node(a + 1, b + 1), node(a, b + 1) });
+        }
+      }
+    }
+  }
+  return quads;
+}
+
+} // namespace moserhex
