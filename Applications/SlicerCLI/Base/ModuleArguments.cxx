@@ -76,27 +76,38 @@ private:
     {
       value = word.substr(equals + 1);
     }
-    if (!m_Seen.insert(option).second)
-    {
-      refuse(option + " is given twice");
-    }
     if (option == returnParameters || option == processInformation)
     {
+      requireFirst(option, option);
       const std::string given = valueOf(option, value);
       m_Result.m_ReturnParameterFile = option == returnParameters ? given : m_Result.m_ReturnParameterFile;
       return;
     }
     const ModuleParameter & parameter = parameterOf(option);
+    if (!parameter.isMultiple)
+    {
+      requireFirst(parameter.name, option);
+    }
     if (parameter.kind == ValueKind::Flag)
     {
       if (value && *value != "true" && *value != "false")
       {
         refuse(option + " takes true or false, not " + *value);
       }
-      m_Result.m_Values[parameter.name] = value.value_or("true");
+      m_Result.m_Values[parameter.name] = { value.value_or("true") };
       return;
     }
     take(parameter, option, valueOf(option, value));
+  }
+
+  /** Its long and its short flag are one and the same. */
+  void
+  requireFirst(const std::string & what, const std::string & option)
+  {
+    if (!m_Seen.insert(what).second)
+    {
+      refuse(option + " is given twice");
+    }
   }
 
   [[nodiscard]] std::string
@@ -138,7 +149,12 @@ private:
     {
       refuse(as + ": " + fault);
     }
-    m_Result.m_Values[parameter.name] = value;
+    std::vector<std::string> & values = m_Result.m_Values[parameter.name];
+    if (!parameter.isMultiple)
+    {
+      values.clear();
+    }
+    values.push_back(value);
   }
 
   void
@@ -155,7 +171,8 @@ private:
         }
       }
     }
-    if (m_Arguments.size() > places.size())
+    const bool takesAll = !places.empty() && places.rbegin()->second->isMultiple;
+    if (m_Arguments.size() > places.size() && !takesAll)
     {
       refuse("too many arguments: " + m_Arguments[places.size()]);
     }
@@ -166,7 +183,11 @@ private:
       {
         refuse(parameter->name + " is missing");
       }
-      take(*parameter, parameter->name, m_Arguments[place]);
+      const std::size_t end = parameter->isMultiple ? m_Arguments.size() : place + 1;
+      for (std::size_t i = place; i < end; ++i)
+      {
+        take(*parameter, parameter->name, m_Arguments[i]);
+      }
     }
   }
 
@@ -185,7 +206,9 @@ ModuleArguments::ModuleArguments(const ModuleDescription & description, const st
   {
     for (const ModuleParameter & parameter : group.parameters)
     {
-      m_Values[parameter.name] = parameter.defaultValue;
+      m_Values[parameter.name] = parameter.isMultiple || (parameter.isList && parameter.defaultValue.empty())
+                                   ? std::vector<std::string>{}
+                                   : std::vector<std::string>{ parameter.defaultValue };
     }
   }
   Reader(*this, words).read();
@@ -194,31 +217,82 @@ ModuleArguments::ModuleArguments(const ModuleDescription & description, const st
 bool
 ModuleArguments::has(const std::string & name) const
 {
-  return !m_Values.at(name).empty();
+  const std::vector<std::string> & values = m_Values.at(name);
+  return std::any_of(values.begin(), values.end(), [](const std::string & value) { return !value.empty(); });
 }
 
 std::string
 ModuleArguments::text(const std::string & name) const
 {
-  return m_Values.at(name);
+  const std::vector<std::string> & values = m_Values.at(name);
+  return values.empty() ? "" : values.front();
 }
 
 long long
 ModuleArguments::integer(const std::string & name) const
 {
-  return integerOf(m_Values.at(name)).value();
+  return integerOf(text(name)).value();
 }
 
 double
 ModuleArguments::real(const std::string & name) const
 {
-  return realOf(m_Values.at(name)).value();
+  return realOf(text(name)).value();
 }
 
 bool
 ModuleArguments::flag(const std::string & name) const
 {
-  return m_Values.at(name) == "true";
+  return text(name) == "true";
+}
+
+std::vector<std::string>
+ModuleArguments::texts(const std::string & name) const
+{
+  std::vector<std::string> all;
+  for (const std::string & value : m_Values.at(name))
+  {
+    for (const std::string & element : elementsOf(*m_Description.find(name), value))
+    {
+      all.push_back(element);
+    }
+  }
+  return all;
+}
+
+std::vector<long long>
+ModuleArguments::integers(const std::string & name) const
+{
+  std::vector<long long> all;
+  for (const std::string & element : texts(name))
+  {
+    all.push_back(integerOf(element).value());
+  }
+  return all;
+}
+
+std::vector<double>
+ModuleArguments::reals(const std::string & name) const
+{
+  std::vector<double> all;
+  for (const std::string & element : texts(name))
+  {
+    all.push_back(realOf(element).value());
+  }
+  return all;
+}
+
+std::vector<std::array<double, 3>>
+ModuleArguments::points(const std::string & name) const
+{
+  const double                       sign = m_Description.find(name)->coordinateSystem == "ras" ? -1.0 : 1.0;
+  const std::vector<double>          numbers = reals(name);
+  std::vector<std::array<double, 3>> all;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+  {
+    all.push_back({ sign * numbers[i], sign * numbers[i + 1], numbers[i + 2] });
+  }
+  return all;
 }
 
 } // namespace moserhex::slicer

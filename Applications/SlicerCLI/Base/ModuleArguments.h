@@ -2,6 +2,7 @@
 
 #include "ModuleDescription.h"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,7 +25,8 @@ class ModuleArguments
 {
 public:
   /** Takes `--flag value`, `--flag=value`, `-f value`, `-f=value` and arguments in the order of their index; a boolean
-   * takes no value, or `=true` and `=false`. Everything after `--` or `--ignore_rest` is an argument. Tolerates
+   * takes no value, or `=true` and `=false`; a parameter that is multiple takes its flag more than once, or, where it
+   * has an index, all arguments that are left. Everything after `--` or `--ignore_rest` is an argument. Tolerates
    * --processinformationaddress and --echo.
    * \throws InvalidInput  (ErrorCode::Usage) an option that is not known, given twice or without a value, too few or
    * too many arguments, a value out of its range; a request other than Run asks for no arguments */
@@ -52,6 +54,21 @@ public:
   [[nodiscard]] bool
   flag(const std::string & name) const;
 
+  /** The elements of a vector, or all values of a parameter that is multiple, in the order given. */
+  [[nodiscard]] std::vector<std::string>
+  texts(const std::string & name) const;
+
+  [[nodiscard]] std::vector<long long>
+  integers(const std::string & name) const;
+
+  [[nodiscard]] std::vector<double>
+  reals(const std::string & name) const;
+
+  /** The points given, none to many: LPS millimetres, also where the module has them as RAS; of ijk, indices.
+   * \pre the parameter is a point */
+  [[nodiscard]] std::vector<std::array<double, 3>>
+  points(const std::string & name) const;
+
   /** Where the simple outputs go; empty: nowhere. */
   [[nodiscard]] const std::string &
   returnParameterFile() const
@@ -62,10 +79,10 @@ public:
 private:
   class Reader;
 
-  const ModuleDescription &          m_Description;
-  std::map<std::string, std::string> m_Values;
-  std::string                        m_ReturnParameterFile;
-  ModuleRequest                      m_Request{ ModuleRequest::Run };
+  const ModuleDescription &                       m_Description;
+  std::map<std::string, std::vector<std::string>> m_Values; ///< one value, or as many as a multiple one was given
+  std::string                                     m_ReturnParameterFile;
+  ModuleRequest                                   m_Request{ ModuleRequest::Run };
 };
 
 } // namespace moserhex::slicer

@@ -16,24 +16,56 @@ namespace moserhex::slicer
 namespace
 {
 
-const std::map<std::string, ValueKind> kinds{
-  { "boolean", ValueKind::Flag },
-  { "integer", ValueKind::Integer },
-  { "integer-enumeration", ValueKind::Integer },
-  { "float", ValueKind::Real },
-  { "double", ValueKind::Real },
-  { "float-enumeration", ValueKind::Real },
-  { "double-enumeration", ValueKind::Real },
-  { "string", ValueKind::Text },
-  { "string-enumeration", ValueKind::Text },
-  { "image", ValueKind::File },
-  { "geometry", ValueKind::File },
-  { "transform", ValueKind::File },
-  { "table", ValueKind::File },
-  { "measurement", ValueKind::File },
-  { "file", ValueKind::File },
-  { "directory", ValueKind::File },
+constexpr std::size_t coordinatesOfPoint = 3;
+constexpr std::size_t numbersOfRegion = 6; // its centre and its half sides
+
+struct ElementType
+{
+  ValueKind   kind;
+  bool        isList;
+  std::size_t listSize;
 };
+
+const std::map<std::string, ElementType> types{
+  { "boolean", { ValueKind::Flag, false, 0 } },
+  { "integer", { ValueKind::Integer, false, 0 } },
+  { "integer-enumeration", { ValueKind::Integer, false, 0 } },
+  { "integer-vector", { ValueKind::Integer, true, 0 } },
+  { "float", { ValueKind::Real, false, 0 } },
+  { "float-enumeration", { ValueKind::Real, false, 0 } },
+  { "float-vector", { ValueKind::Real, true, 0 } },
+  { "double", { ValueKind::Real, false, 0 } },
+  { "double-enumeration", { ValueKind::Real, false, 0 } },
+  { "double-vector", { ValueKind::Real, true, 0 } },
+  { "string", { ValueKind::Text, false, 0 } },
+  { "string-enumeration", { ValueKind::Text, false, 0 } },
+  { "string-vector", { ValueKind::Text, true, 0 } },
+  { "point", { ValueKind::Real, true, coordinatesOfPoint } },
+  { "region", { ValueKind::Real, true, numbersOfRegion } },
+  { "pointfile", { ValueKind::File, false, 0 } },
+  { "image", { ValueKind::File, false, 0 } },
+  { "geometry", { ValueKind::File, false, 0 } },
+  { "transform", { ValueKind::File, false, 0 } },
+  { "table", { ValueKind::File, false, 0 } },
+  { "measurement", { ValueKind::File, false, 0 } },
+  { "file", { ValueKind::File, false, 0 } },
+  { "directory", { ValueKind::File, false, 0 } },
+};
+
+/** Attributes that say something to Slicer only. */
+const std::set<std::string> attributesForSlicer{ "type", "reference", "hidden", "aggregate" };
+
+bool
+hasPlace(const std::string & element)
+{
+  return element == "point" || element == "pointfile" || element == "region";
+}
+
+bool
+endsWith(const std::string & text, const std::string & end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
 
 /** Options that every module has. */
 const std::set<std::string> reservedNames{
@@ -152,22 +184,55 @@ private:
   beginParameter(const std::string & element, const std::map<std::string, std::string> & attributes)
   {
     ModuleParameter added;
-    const auto      kind = kinds.find(element);
+    const auto      type = types.find(element);
     added.element = element;
-    if (kind == kinds.end())
+    if (type == types.end())
     {
       refuse("unknown parameter <" + element + ">");
     }
     else
     {
-      added.kind = kind->second;
+      added.kind = type->second.kind;
+      added.isList = type->second.isList;
+      added.listSize = type->second.listSize;
+      added.coordinateSystem = hasPlace(element) ? "lps" : "";
     }
-    const auto extensions = attributes.find("fileExtensions");
-    if (extensions != attributes.end())
+    for (const auto & [attribute, value] : attributes)
     {
-      added.fileExtensions = splitAtCommas(extensions->second);
+      setAttribute(added, attribute, value);
     }
     m_Result.groups.back().parameters.push_back(added);
+  }
+
+  void
+  setAttribute(ModuleParameter & added, const std::string & attribute, const std::string & value)
+  {
+    const std::string & element = added.element;
+    if (attribute == "fileExtensions" && added.kind == ValueKind::File)
+    {
+      added.fileExtensions = splitAtCommas(value);
+    }
+    else if (attribute == "multiple" && added.kind != ValueKind::Flag && !endsWith(element, "-enumeration") &&
+             !endsWith(element, "-vector"))
+    {
+      if (value != "true" && value != "false")
+      {
+        refuse("multiple is true or false, not " + value);
+      }
+      added.isMultiple = value == "true";
+    }
+    else if (attribute == "coordinateSystem" && hasPlace(element))
+    {
+      if (value != "lps" && value != "ras" && value != "ijk")
+      {
+        refuse("coordinateSystem is lps, ras or ijk, not " + value);
+      }
+      added.coordinateSystem = value;
+    }
+    else if (attributesForSlicer.count(attribute) == 0)
+    {
+      refuse("<" + element + "> has no attribute " + attribute);
+    }
   }
 
   void
@@ -273,6 +338,24 @@ isIdentifier(const std::string & name)
 }
 
 void
+requireSoundMultiple(const ModuleParameter & parameter)
+{
+  const std::string & name = parameter.name;
+  if (parameter.listSize != 0 && parameter.index)
+  {
+    refuse(name + ": a " + parameter.element + " needs a flag, not an index");
+  }
+  if (parameter.isMultiple && !parameter.index && parameter.longFlag.empty())
+  {
+    refuse(name + ": a multiple parameter needs a long flag or an index");
+  }
+  if (parameter.isMultiple && !parameter.defaultValue.empty())
+  {
+    refuse(name + ": a multiple parameter has no default");
+  }
+}
+
+void
 requireSound(const ModuleParameter & parameter)
 {
   const std::string & name = parameter.name;
@@ -288,8 +371,11 @@ requireSound(const ModuleParameter & parameter)
   {
     refuse(name + ": a boolean must be false by default");
   }
+  requireSoundMultiple(parameter);
+  const bool mayBeEmpty = parameter.isList || parameter.isMultiple;
   if (parameter.kind != ValueKind::File && parameter.kind != ValueKind::Flag && !parameter.isSimpleOutput() &&
-      !(parameter.kind == ValueKind::Text && parameter.choices.empty()))
+      !(parameter.kind == ValueKind::Text && parameter.choices.empty()) &&
+      !(mayBeEmpty && parameter.defaultValue.empty()))
   {
     const std::string fault = faultOfValue(parameter, parameter.defaultValue);
     if (!fault.empty())
@@ -306,6 +392,7 @@ requireSound(const ModuleDescription & description)
   std::set<std::string> names;
   std::set<std::string> flags;
   std::set<int>         indices;
+  std::optional<int>    multipleIndex;
   for (const ParameterGroup & group : description.groups)
   {
     for (const ModuleParameter & parameter : group.parameters)
@@ -329,6 +416,10 @@ requireSound(const ModuleDescription & description)
       {
         refuse(name + ": index " + std::to_string(*parameter.index) + " is taken");
       }
+      if (parameter.index && parameter.isMultiple)
+      {
+        multipleIndex = std::min(multipleIndex.value_or(*parameter.index), *parameter.index);
+      }
       if (!parameter.index && parameter.flag.empty() && parameter.longFlag.empty() && !parameter.isSimpleOutput())
       {
         refuse(name + ": neither flag nor index");
@@ -338,6 +429,10 @@ requireSound(const ModuleDescription & description)
   if (!indices.empty() && *indices.rbegin() + 1 != static_cast<int>(indices.size()))
   {
     refuse("indices must count from 0");
+  }
+  if (multipleIndex && *multipleIndex != *indices.rbegin())
+  {
+    refuse("only the last index may be multiple");
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,10 +12,10 @@ namespace moserhex::slicer
 enum class ValueKind
 {
   Flag,    ///< boolean: given or not
-  Integer, ///< integer, integer-enumeration
-  Real,    ///< float, double and their enumerations
-  Text,    ///< string, string-enumeration
-  File     ///< image, geometry, transform, table, measurement, file, directory
+  Integer, ///< integer, its enumeration and its vector
+  Real,    ///< float, double, their enumerations and vectors, point, region
+  Text,    ///< string, its enumeration and its vector
+  File     ///< image, geometry, transform, table, measurement, pointfile, file, directory
 };
 
 struct ModuleParameter
@@ -29,7 +30,11 @@ struct ModuleParameter
   std::string              label;
   std::string              defaultValue;
   bool                     isOutput{ false };
-  std::vector<std::string> choices; ///< of an enumeration
+  bool                     isList{ false };     ///< a vector, point or region: commas between its elements
+  std::size_t              listSize{ 0 };       ///< elements of a list: 3 of a point, 6 of a region; 0: any number
+  bool                     isMultiple{ false }; ///< may be given more than once, or with commas between its values
+  std::string              coordinateSystem; ///< of a point, pointfile or region: lps, ras or ijk; empty: none of these
+  std::vector<std::string> choices;          ///< of an enumeration
   std::optional<double>    minimum;
   std::optional<double>    maximum;
   std::vector<std::string> fileExtensions; ///< with their dots; empty: any
@@ -65,10 +70,12 @@ struct ModuleDescription
   find(const std::string & name) const;
 };
 
-/** Reads the XML of the execution model (www.slicer.org, SlicerExecutionModel), as far as modules of ours use it.
- * \throws InvalidInput  not well-formed, an element that is not known, a name that is missing, taken or holds anything
- * but letters, digits and _, a flag of a boolean that is on by default, indices that do not count from 0, a default
- * outside its choices or range; names the line or the parameter */
+/** Reads the XML of the execution model (www.slicer.org, SlicerExecutionModel): all types of parameters.
+ * \throws InvalidInput  not well-formed, an element or an attribute that is not known, a name that is missing, taken or
+ * holds anything but letters, digits and _, a flag of a boolean that is on by default, indices that do not count from
+ * 0, a default outside its choices or range; multiple="true" of a flag, an enumeration or a vector, with a default,
+ * without long flag and index, or with an index that is not the last; a point or region with an index; names the line
+ * or the parameter */
 [[nodiscard]] ModuleDescription
 parseModuleDescription(const std::string & xml);
 

@@ -60,21 +60,26 @@ writeReturnParameters(const std::string & fileName, const SimpleOutputs & output
   writeTextFile(fileName, text);
 }
 
-/** "--shells N", "-l, --label N". */
+/** "--shells N", "-l, --label N", "--fixed X,Y,Z ..." where there may be several. */
 std::string
 usageOf(const ModuleParameter & parameter)
 {
   static const std::vector<const char *> values{ "", " INTEGER", " NUMBER", " TEXT", " FILE" };
+  const std::string                      more = parameter.isMultiple ? " ..." : "";
   if (parameter.index)
   {
-    return parameter.name;
+    return parameter.name + more;
   }
   std::string text = parameter.flag.empty() ? "" : "-" + parameter.flag;
   if (!parameter.longFlag.empty())
   {
     text += (text.empty() ? "--" : ", --") + parameter.longFlag;
   }
-  return text + values[static_cast<std::size_t>(parameter.kind)];
+  if (parameter.listSize == 3)
+  {
+    return text + " X,Y,Z" + more;
+  }
+  return text + values[static_cast<std::size_t>(parameter.kind)] + (parameter.isList ? ",..." : "") + more;
 }
 
 void
@@ -128,7 +133,7 @@ helpOf(const ModuleDescription & description, const std::string & program)
   {
     for (const ModuleParameter & parameter : group.parameters)
     {
-      arguments += parameter.index ? " " + parameter.name : "";
+      arguments += parameter.index ? " " + usageOf(parameter) : "";
     }
   }
   text << description.title << ": " << description.description << "\n\nusage: " << program << " [options]" << arguments

@@ -81,11 +81,32 @@ rangeOf(const ModuleParameter & parameter)
   return text.str();
 }
 
-std::string
-faultOfValue(const ModuleParameter & parameter, const std::string & value)
+namespace
 {
-  const bool isEnumeration = !parameter.choices.empty();
-  if (isEnumeration)
+
+std::string
+faultOfNumber(const ModuleParameter & parameter, const std::string & value)
+{
+  const bool                  isInteger = parameter.kind == ValueKind::Integer;
+  const std::optional<double> number =
+    isInteger ? (integerOf(value) ? std::optional<double>(static_cast<double>(*integerOf(value))) : std::nullopt)
+              : realOf(value);
+  if (!number)
+  {
+    return "\"" + value + "\" is not " + (isInteger ? "a whole number" : "a number");
+  }
+  if (*number < parameter.minimum.value_or(-std::numeric_limits<double>::infinity()) ||
+      *number > parameter.maximum.value_or(std::numeric_limits<double>::infinity()))
+  {
+    return value + " is not " + rangeOf(parameter);
+  }
+  return "";
+}
+
+std::string
+faultOfElement(const ModuleParameter & parameter, const std::string & value)
+{
+  if (!parameter.choices.empty())
   {
     const bool isChoice =
       std::find(parameter.choices.begin(), parameter.choices.end(), value) != parameter.choices.end();
@@ -93,19 +114,7 @@ faultOfValue(const ModuleParameter & parameter, const std::string & value)
   }
   if (parameter.kind == ValueKind::Integer || parameter.kind == ValueKind::Real)
   {
-    const bool                  isInteger = parameter.kind == ValueKind::Integer;
-    const std::optional<double> number =
-      isInteger ? (integerOf(value) ? std::optional<double>(static_cast<double>(*integerOf(value))) : std::nullopt)
-                : realOf(value);
-    if (!number)
-    {
-      return "\"" + value + "\" is not " + (isInteger ? "a whole number" : "a number");
-    }
-    if (*number < parameter.minimum.value_or(-std::numeric_limits<double>::infinity()) ||
-        *number > parameter.maximum.value_or(std::numeric_limits<double>::infinity()))
-    {
-      return value + " is not " + rangeOf(parameter);
-    }
+    return faultOfNumber(parameter, value);
   }
   if (parameter.kind == ValueKind::File && parameter.isOutput && !parameter.fileExtensions.empty() &&
       std::none_of(parameter.fileExtensions.begin(), parameter.fileExtensions.end(), [&](const std::string & end) {
@@ -115,6 +124,60 @@ faultOfValue(const ModuleParameter & parameter, const std::string & value)
     return value + " does not end with " + rangeOf(parameter);
   }
   return "";
+}
+
+} // namespace
+
+std::vector<std::string>
+elementsOf(const ModuleParameter & parameter, const std::string & value)
+{
+  if (!parameter.isList && !parameter.isMultiple)
+  {
+    return { value };
+  }
+  if (value.empty())
+  {
+    return {};
+  }
+  const bool               hasQuotes = parameter.kind == ValueKind::Text || parameter.kind == ValueKind::File;
+  std::vector<std::string> elements(1);
+  bool                     isQuoted = false;
+  for (const char c : value)
+  {
+    if (c == '"' && hasQuotes)
+    {
+      isQuoted = !isQuoted;
+    }
+    else if (c == ',' && !isQuoted)
+    {
+      elements.emplace_back();
+    }
+    else
+    {
+      elements.back() += c;
+    }
+  }
+  return elements;
+}
+
+std::string
+faultOfValue(const ModuleParameter & parameter, const std::string & value)
+{
+  const std::vector<std::string> elements = elementsOf(parameter, value);
+  if (parameter.listSize != 0 && elements.size() != parameter.listSize)
+  {
+    return "\"" + value + "\" is not " + std::to_string(parameter.listSize) + " numbers with commas between them";
+  }
+  for (const std::string & element : elements)
+  {
+    const std::string fault =
+      parameter.isMultiple && element.empty() ? "an empty value" : faultOfElement(parameter, element);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+  }
+  return elements.empty() && parameter.isMultiple ? "an empty value" : "";
 }
 
 } // namespace moserhex::slicer

@@ -91,11 +91,65 @@ TEST(ModuleDescription, FaultsAreRefusedAndNamed)
                 "z is not one of y");
 }
 
+TEST(ModuleDescription, ListsAndMultipleParametersAreKnown)
+{
+  const ModuleDescription module = parseModuleDescription(
+    moduleWith("<point multiple=\"true\" coordinateSystem=\"ras\"><name>p</name><longflag>p</longflag></point>"
+               "<region><name>r</name><longflag>r</longflag></region>"
+               "<integer-vector><name>v</name><longflag>v</longflag><default>1,2</default></integer-vector>"
+               "<geometry type=\"model\" multiple=\"true\"><name>g</name><index>0</index></geometry>"
+               "<double-vector><name>out</name><channel>output</channel></double-vector>"));
+  const ModuleParameter & point = *module.find("p");
+  EXPECT_EQ(point.kind, ValueKind::Real);
+  EXPECT_TRUE(point.isMultiple);
+  EXPECT_EQ(point.listSize, 3u);
+  EXPECT_EQ(point.coordinateSystem, "ras");
+  EXPECT_FALSE(module.find("r")->isMultiple);
+  EXPECT_EQ(module.find("r")->listSize, 6u);
+  EXPECT_EQ(module.find("r")->coordinateSystem, "lps");
+  EXPECT_TRUE(module.find("v")->isList);
+  EXPECT_EQ(module.find("v")->listSize, 0u);
+  EXPECT_TRUE(module.find("g")->isMultiple);
+  EXPECT_FALSE(module.find("g")->isList);
+  EXPECT_TRUE(module.find("out")->isSimpleOutput());
+}
+
+TEST(ModuleDescription, FaultsOfListsAndMultipleParametersAreRefused)
+{
+  const auto expectRefusal = [](const std::string & parameters, const std::string & what) {
+    const std::string refusal = refusalOf(moduleWith(parameters));
+    EXPECT_NE(refusal.find(what), std::string::npos) << parameters << "\n-> " << refusal;
+  };
+  const std::string flags = "<name>a</name><longflag>a</longflag>";
+  expectRefusal("<integer-vector>" + flags + "<default>1,x</default></integer-vector>", "\"x\" is not a whole number");
+  expectRefusal("<point>" + flags + "<default>1,2</default></point>", "is not 3 numbers");
+  expectRefusal("<point coordinateSystem=\"xyz\">" + flags + "</point>", "lps, ras or ijk, not xyz");
+  expectRefusal("<integer coordinateSystem=\"lps\">" + flags + "</integer>", "has no attribute coordinateSystem");
+  expectRefusal("<integer colour=\"red\">" + flags + "</integer>", "has no attribute colour");
+  expectRefusal("<file multiple=\"yes\">" + flags + "</file>", "true or false, not yes");
+  expectRefusal("<boolean multiple=\"true\">" + flags + "<default>false</default></boolean>", "no attribute multiple");
+  expectRefusal("<string-enumeration multiple=\"true\">" + flags + "</string-enumeration>", "no attribute multiple");
+  expectRefusal("<point><name>a</name><index>0</index></point>", "needs a flag, not an index");
+  expectRefusal("<file multiple=\"true\"><name>a</name><flag>a</flag></file>", "needs a long flag or an index");
+  expectRefusal("<integer multiple=\"true\">" + flags + "<default>1</default></integer>", "has no default");
+  expectRefusal(
+    "<file multiple=\"true\"><name>a</name><index>0</index></file><file><name>b</name><index>1</index></file>",
+    "only the last index may be multiple");
+}
+
 TEST(ModuleDescription, HelpNamesEveryParameterWithItsRangeAndDefault)
 {
   const std::string help = helpOf(parseModuleDescription(moduleWith(integer)), "Program");
   EXPECT_NE(help.find("usage: Program [options]"), std::string::npos) << help;
   EXPECT_NE(help.find("-n, --count INTEGER\n      How many [2 to 9] (3)"), std::string::npos) << help;
+  const std::string many = helpOf(
+    parseModuleDescription(moduleWith("<point multiple=\"true\"><name>p</name><longflag>p</longflag></point>"
+                                      "<double-vector><name>v</name><longflag>v</longflag></double-vector>"
+                                      "<geometry multiple=\"true\"><name>meshes</name><index>0</index></geometry>")),
+    "Program");
+  EXPECT_NE(many.find("usage: Program [options] meshes ...\n"), std::string::npos) << many;
+  EXPECT_NE(many.find("--p X,Y,Z ...\n"), std::string::npos) << many;
+  EXPECT_NE(many.find("--v NUMBER,...\n"), std::string::npos) << many;
 }
 
 TEST(ModuleValues, NumbersAreReadWholeOrNotAtAll)

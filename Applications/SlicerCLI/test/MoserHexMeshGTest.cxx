@@ -47,6 +47,33 @@ textsOf(const std::string & out, const std::string & tag)
   return texts;
 }
 
+/** "" where a character is not of the alphabet or the end is not filled up to four. */
+std::string
+fromBase64(const std::string & text)
+{
+  const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t end = std::min(text.find('='), text.size());
+  std::string       bytes;
+  unsigned int      bits = 0;
+  int               count = 0;
+  for (std::size_t i = 0; i < end; ++i)
+  {
+    const std::size_t digit = alphabet.find(text[i]);
+    if (digit == std::string::npos || text.size() % 4 != 0)
+    {
+      return "";
+    }
+    bits = (bits << 6U | static_cast<unsigned int>(digit)) & 0xffffU;
+    count += 6;
+    if (count >= 8)
+    {
+      count -= 8;
+      bytes += static_cast<char>(bits >> static_cast<unsigned int>(count) & 0xffU);
+    }
+  }
+  return bytes;
+}
+
 std::map<std::string, std::string>
 returnParameters(const std::string & file)
 {
@@ -91,19 +118,35 @@ TEST_F(MoserHexMesh, HelpNamesEveryParameterAndVersionIsOneLine)
   EXPECT_EQ(std::count(version.out.begin(), version.out.end(), '\n'), 1) << version.out;
 }
 
-TEST_F(MoserHexMesh, LogoHasAsManyCharactersAsItSays)
+TEST_F(MoserHexMesh, LogoIsSixLinesAndItsPixelsArePackedAsTheySay)
 {
-  std::istringstream logo(run({ "--logo" }).out);
+  const Outcome outcome = run({ "--logo" });
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 6);
+  EXPECT_EQ(outcome.out.back(), '\n');
+  std::istringstream logo(outcome.out);
   std::string        mark;
-  int                width = 0;
-  int                height = 0;
-  int                pixel = 0;
+  std::size_t        width = 0;
+  std::size_t        height = 0;
+  std::size_t        pixel = 0;
   std::size_t        length = 0;
   std::string        data;
   logo >> mark >> width >> height >> pixel >> length >> data;
+  ASSERT_TRUE(logo);
   EXPECT_EQ(mark, "LOGO");
+  EXPECT_GE(width, 16u);
+  EXPECT_EQ(height, width);
+  EXPECT_EQ(pixel, 4u);
   EXPECT_EQ(data.size(), length);
-  EXPECT_EQ(length, static_cast<std::size_t>((width * height * pixel + 2) / 3 * 4));
+  const std::string pixels = fromBase64(data);
+  ASSERT_EQ(pixels.size(), width * height * pixel); // as they are: what has another size, Slicer takes for compressed
+  for (std::size_t i = 3; i < pixels.size(); i += pixel)
+  {
+    ASSERT_EQ(pixels[i], '\xff') << "not opaque: pixel " << i / pixel;
+  }
+  const std::size_t middle = (height / 2 * width + width / 2) * pixel;
+  EXPECT_NE(pixels.substr(0, 3), pixels.substr(middle, 3));
 }
 
 TEST_F(MoserHexMesh, RunWritesAllOutputsAndTellsItsProgress)

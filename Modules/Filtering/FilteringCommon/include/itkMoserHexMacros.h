@@ -3,7 +3,10 @@
 
 #include <itkMacro.h>
 
-// ITK before 5.4 has itkTypeMacro only, ITK 6 has itkOverrideGetNameOfClassMacro only; the new name is used here.
+// What differs between versions of ITK goes here and nowhere else. .ci/check_headers.py checks it.
+
+// itkOverrideGetNameOfClassMacro: ITK 5.4 and later. Before it there is itkTypeMacro only, which 5.4 deprecates and
+// ITK_FUTURE_LEGACY_REMOVE removes.
 #ifndef itkOverrideGetNameOfClassMacro
 #define itkOverrideGetNameOfClassMacro(thisClass)                                                                      \
   const char * GetNameOfClass() const override                                                                         \
@@ -11,9 +14,6 @@
     return #thisClass;                                                                                                 \
   }                                                                                                                    \
   ITK_MACROEND_NOOP_STATEMENT
-#endif
-#ifndef ITK_MACROEND_NOOP_STATEMENT
-#define ITK_MACROEND_NOOP_STATEMENT static_assert(true, "")
 #endif
 
 /** Set and Get for one field of a filter's options struct m_Options: the default lives in the struct, once. */

@@ -2,6 +2,7 @@
 #include "HexCellCollector.h"
 #include "HexCellFormats.h"
 #include "LegacyVtkCheck.h"
+#include "VtkCompatibility.h"
 #include "VtkMessages.h"
 #include "VtkSpace.h"
 #include "XmlVtkCheck.h"
@@ -9,13 +10,11 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
-#include <vtkCellTypes.h>
 #include <vtkFieldData.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -74,26 +73,33 @@ requireConsistent(const std::string & fileName, vtkUnstructuredGrid & grid)
   {
     throw BadInput(ErrorCode::NotHexahedra, fileName, "has no points or no cells", writeAgain);
   }
-  if (!grid.GetCells()->IsValid() || grid.GetCellTypesArray()->GetNumberOfValues() != cells)
+  if (!grid.GetCells()->IsValid() || cellTypesOf(grid)->GetNumberOfValues() != cells)
   {
     throw BadInput(
       ErrorCode::NotHexahedra, fileName, "the lists of cells and of their types do not fit together", writeAgain);
   }
 }
 
+/** nullptr: a type that VTK does not know. */
+vtkSmartPointer<vtkCell>
+cellOf(int type)
+{
+  const VtkMessages messages; // about those
+  return vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+}
+
 /** "Tetra" of vtkTetra. */
 std::string
 nameOf(int type)
 {
-  const std::string name = vtkCellTypes::GetClassNameFromTypeId(type);
-  return name.compare(0, 3, "vtk") == 0 ? name.substr(3) : "cell type " + std::to_string(type);
+  const vtkSmartPointer<vtkCell> cell = cellOf(type);
+  return cell ? std::string(cell->GetClassName()).substr(3) : "cell type " + std::to_string(type);
 }
 
 int
 dimensionOf(int type)
 {
-  const VtkMessages              messages; // about types VTK does not know
-  const vtkSmartPointer<vtkCell> cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  const vtkSmartPointer<vtkCell> cell = cellOf(type);
   return cell ? cell->GetCellDimension() : 3;
 }
 
@@ -127,7 +133,7 @@ readVtkCells(const std::string & fileName)
   for (vtkIdType cell = 0; cell < file.grid->GetNumberOfCells(); ++cell)
   {
     file.grid->GetCells()->GetCellAtId(cell, points);
-    const int type = file.grid->GetCellTypesArray()->GetValue(cell);
+    const int type = file.grid->GetCellType(cell);
     if (type != VTK_HEXAHEDRON)
     {
       ++others[type];

@@ -7,14 +7,6 @@
 #include <string>
 #include <vector>
 
-#ifndef itkOverrideGetNameOfClassMacro // ITK before 5.4
-#define itkOverrideGetNameOfClassMacro(thisClass)                                                                      \
-  const char * GetNameOfClass() const override                                                                         \
-  {                                                                                                                    \
-    return #thisClass;                                                                                                 \
-  }
-#endif
-
 namespace itk
 {
 
@@ -41,7 +33,11 @@ public:
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(VTKUnstructuredGridMeshIO);
+  const char *
+  GetNameOfClass() const override
+  {
+    return "VTKUnstructuredGridMeshIO";
+  }
 
   /** A name that ends with .vtk and a file whose header says UNSTRUCTURED_GRID. */
   bool
@@ -110,7 +106,11 @@ public:
   using ConstPointer = SmartPointer<const Self>;
 
   itkFactorylessNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(VTKUnstructuredGridMeshIOFactory);
+  const char *
+  GetNameOfClass() const override
+  {
+    return "VTKUnstructuredGridMeshIOFactory";
+  }
 
   const char *
   GetITKSourceVersion() const override;

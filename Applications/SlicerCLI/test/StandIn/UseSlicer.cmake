@@ -1,0 +1,1 @@
+set(stand_in_used TRUE)
