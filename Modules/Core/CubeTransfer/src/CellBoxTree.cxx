@@ -14,7 +14,7 @@ constexpr int smallestSide = 2; ///< of a block [cells]
 CellBoxTree::CellBoxTree(const HexMesh & mesh, double slack) : m_CellsPerSide(mesh.nodesPerSide - 1)
 {
   const int m = m_CellsPerSide;
-  m_Nodes.push_back({ {}, {}, { { { 0, 0, 0 } }, { { m, m, m } } }, 0 });
+  m_Nodes.push_back(Node{ { { { 0, 0, 0 } }, { { m, m, m } } } });
   build(0, mesh, slack);
 }
 
@@ -36,8 +36,8 @@ CellBoxTree::build(std::size_t node, const HexMesh & mesh, double slack)
     Block     second = block;
     first.end[axis] = middle;
     second.begin[axis] = middle;
-    m_Nodes.push_back({ {}, {}, first, 0 });
-    m_Nodes.push_back({ {}, {}, second, 0 });
+    m_Nodes.push_back(Node{ first });
+    m_Nodes.push_back(Node{ second });
     build(left, mesh, slack);
     build(left + 1, mesh, slack);
     m_Nodes[node].lower = m_Nodes[left].lower.cwiseMin(m_Nodes[left + 1].lower);

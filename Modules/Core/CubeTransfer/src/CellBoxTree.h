@@ -28,10 +28,10 @@ private:
   };
   struct Node
   {
-    Vector3 lower;
-    Vector3 upper;
     Block   block;
-    int     left; ///< number of the first child, the second one follows; 0: a smallest block
+    Vector3 lower{ Vector3::Zero() };
+    Vector3 upper{ Vector3::Zero() };
+    int     left{ 0 }; ///< number of the first child, the second one follows; 0: a smallest block
   };
 
   void
