@@ -11,7 +11,7 @@ Every mesh is a one-to-one image of the unit cube: `Mesh.cube_coordinates` tells
 `code` is listed in Documentation/Errors.md.
 """
 
-from ._mesh import Mesh, mesh, read
+from ._mesh import Mesh, mesh, read, read_labels
 from ._moserhex import Error, __version__
 
-__all__ = ["Error", "Mesh", "mesh", "read", "__version__"]
+__all__ = ["Error", "Mesh", "mesh", "read", "read_labels", "__version__"]

@@ -6,6 +6,7 @@ import functools
 import json
 import math
 import os
+import warnings
 from typing import Any, Callable, Optional, Tuple, Union
 
 import numpy
@@ -97,6 +98,28 @@ def read(path: Path, *, space: str = "RAS", sandbox: bool = True) -> Mesh:
     Raises Error: E_NOINPUT, E_NOT_HEXAHEDRA and other faults of files.
     """
     return Mesh(_moserhex.read(os.fspath(path), space, sandbox))
+
+
+def read_labels(
+    path: Path,
+    *,
+    space: str = "RAS",
+    threshold: Optional[float] = None,
+    segment: Optional[str] = None,
+    sandbox: bool = True,
+) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    """Read a labelmap as the command does: (labels, affine), for `mesh(*read_labels(path))`.
+
+    Formats: .nrrd, .nhdr, .seg.nrrd, .nii, .nii.gz, .mha, .mhd. The file is taken for hostile: a damaged one is refused.
+    `threshold` makes a label of a probability map, `segment` names one of a .seg.nrrd. What is worth knowing of the file
+    is a Python warning. `sandbox` as in `read`.
+
+    Raises Error: E_NOINPUT, E_TRUNCATED, E_LABELS and other faults of files.
+    """
+    labels, affine, remarks = _moserhex.read_labels(os.fspath(path), space, threshold, segment, sandbox)
+    for remark in remarks:
+        warnings.warn(remark, stacklevel=2)
+    return labels, affine
 
 
 class Mesh:
@@ -212,7 +235,7 @@ class Mesh:
 
         .vtu, .vtk, .msh, .inp, .mesh, .feb or .exo: Documentation/Formats.md. The same bytes as the command's.
 
-        Raises Error: E_FORMAT, E_CANTCREAT, E_IO.
+        Raises Error: E_USAGE, E_CANTCREAT, E_IO.
         """
         self._compiled.write(os.fspath(path))
 

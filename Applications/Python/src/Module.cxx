@@ -1,4 +1,5 @@
 // The compiled part of the package moserhex: arrays in, one call of the library, arrays out.
+#include "ArrayOutput.h"
 #include "Interruption.h"
 #include "MeshFile.h"
 #include "MeshReport.h"
@@ -160,6 +161,23 @@ readMesh(const std::string & fileName, const std::string & space, bool sandbox)
   return std::make_unique<PythonMesh>(std::move(mesh), std::move(fields), ownSpace, file.warnings, "");
 }
 
+/** Labels, affine, warnings. */
+py::tuple
+readLabels(const std::string &                fileName,
+           const std::string &                space,
+           const std::optional<double> &      threshold,
+           const std::optional<std::string> & segment,
+           bool                               sandbox)
+{
+  const Space ownSpace = spaceOf(space);
+  LabelImage  image;
+  {
+    const py::gil_scoped_release release;
+    image = readLabelImage(fileName, { threshold, segment, sandbox });
+  }
+  return py::make_tuple(arrayOf(*image.image), affineOf(*image.image, ownSpace), image.warnings);
+}
+
 } // namespace
 
 PYBIND11_MODULE(_moserhex, module)
@@ -168,6 +186,7 @@ PYBIND11_MODULE(_moserhex, module)
   module.attr("__version__") = app::version;
   module.def("mesh", &makeMesh);
   module.def("read", &readMesh);
+  module.def("read_labels", &readLabels);
 
   py::class_<PythonMesh>(module, "Mesh")
     .def_property_readonly("nodes_per_side", &PythonMesh::nodesPerSide)

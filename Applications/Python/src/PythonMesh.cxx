@@ -1,5 +1,6 @@
 #include "PythonMesh.h"
 
+#include "ArrayOutput.h"
 #include "Interruption.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/CubeTransfer/CellMeans.h"
@@ -19,28 +20,6 @@ namespace
 namespace py = pybind11;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-py::array_t<double>
-arrayOf(const Positions & positions, Space space)
-{
-  py::array_t<double> array({ static_cast<py::ssize_t>(positions.size()), py::ssize_t{ 3 } });
-  double *            next = array.mutable_data();
-  for (const Vector3 & position : positions)
-  {
-    const Vector3 flipped = flip(position, space);
-    next = std::copy_n(flipped.data(), 3, next);
-  }
-  return array;
-}
-
-/** side x side x side values, the first index fastest. */
-py::array
-cubeOf(const std::vector<double> & values, int side)
-{
-  py::array_t<double, py::array::f_style> array({ side, side, side });
-  std::copy(values.begin(), values.end(), array.mutable_data());
-  return array;
-}
 
 void
 flipAll(Positions & positions, Space space)

@@ -89,6 +89,35 @@ class MeshAgainstTheCommand(FolderTest):
         self.assertGreater(on_the_same_voxels.report["density"]["mean"], 100.0)
 
 
+class LabelFiles(FolderTest):
+    def test_are_read_with_their_affine(self):
+        write_nrrd(self.folder / "labels.nrrd", LABELS, LPS)
+        for space, affine in (("LPS", LPS), ("RAS", RAS)):
+            labels, read = moserhex.read_labels(self.folder / "labels.nrrd", space=space)
+            self.assertTrue(numpy.array_equal(labels, LABELS))
+            self.assertLess(numpy.abs(read - affine).max(), 1e-12)
+
+    def test_a_threshold_makes_a_label(self):
+        write_nrrd(self.folder / "probability.nrrd", LABELS * 200, LPS)
+        labels, _ = moserhex.read_labels(self.folder / "probability.nrrd", threshold=100.0)
+        self.assertTrue(numpy.array_equal(labels, LABELS))
+
+    def test_what_is_doubtful_is_a_warning(self):
+        skewed = LPS.copy()
+        skewed[:3, 1] += 1e-4 * skewed[:3, 0]
+        write_nrrd(self.folder / "labels.nrrd", LABELS, skewed)
+        with self.assertWarnsRegex(UserWarning, "turned to right angles"):
+            labels, affine = moserhex.read_labels(self.folder / "labels.nrrd")
+        self.assertEqual(moserhex.mesh(labels, affine, shells=2, stage="initial").warnings, [])
+
+    def test_the_command_s_sample_is_meshed(self):
+        self.command("sample", ".", "--quiet")
+        labels, affine = moserhex.read_labels(self.folder / "prostate.nrrd")
+        mesh = moserhex.mesh(labels, affine)
+        self.assertTrue(mesh.report["exact"]["reached"])
+        self.assertEqual(mesh.quality()["certified"]["positive"], 6859)
+
+
 class Meshes(FolderTest):
     def test_cells_are_right_handed_and_of_equal_volume(self):
         for space, affine in (("RAS", RAS), ("LPS", LPS)):
