@@ -7,6 +7,8 @@ set(MoserHex_PYTHON_EXECUTABLE "" CACHE FILEPATH
 set(python_missing "")
 if(MoserHex_CORE_ONLY)
   set(python_missing "Core alone is built")
+elseif(MoserHex_SANITIZE)
+  set(python_missing "the interpreter has no sanitizer")
 else()
   if(MoserHex_PYTHON_EXECUTABLE)
     set(Python3_EXECUTABLE ${MoserHex_PYTHON_EXECUTABLE})
