@@ -57,8 +57,8 @@ def mesh(
     progress       called in this thread with the part done, in [0, 1]; what it raises ends the work, and so does returning
                    False (Error, E_CANCELLED)
 
-    Other Python threads run meanwhile, and Ctrl-C ends the work. The same input gives the same nodes, to the last bit,
-    as the command.
+    Other Python threads run meanwhile, and Ctrl-C ends the work. The same voxels and numbers of the affine give the same
+    nodes, to the last bit, as the command.
 
     Raises Error; its `code` is one of Documentation/Errors.md.
     """
@@ -112,7 +112,8 @@ def read_labels(
 
     Formats: .nrrd, .nhdr, .seg.nrrd, .nii, .nii.gz, .mha, .mhd. The file is taken for hostile: a damaged one is refused.
     `threshold` makes a label of a probability map, `segment` names one of a .seg.nrrd. What is worth knowing of the file
-    is a Python warning. `sandbox` as in `read`.
+    is a Python warning. `sandbox` as in `read`. The affine is computed of voxel sizes and axes: a mesh made with it equals
+    the command's but for the effects of rounding, see Documentation/Python.md.
 
     Raises Error: E_NOINPUT, E_TRUNCATED, E_LABELS and other faults of files.
     """
