@@ -8,6 +8,8 @@ cd "$(dirname "$0")"
 
 # Independent readers of what is written; tests of them skip, saying so, where they are absent.
 packages="$packages clang-format-14 calculix-ccx gmsh python3-meshio"
+# The Python module and its tests are left out, saying so, where these are absent.
+packages="$packages pybind11-dev python3-dev python3-numpy"
 install_packages
 use_ccache
 check_formatting

@@ -79,15 +79,13 @@ isInputName(const std::string & fileName)
 }
 
 ChosenSolid
-readSolid(const InputOptions & options)
+chooseSolid(LabelImage image, const std::optional<LabelValue> & label)
 {
   ChosenSolid solid;
-  solid.image = isSurfaceName(options.file)
-                  ? readVoxelisedSurface(options)
-                  : readLabelImage(options.file, { options.threshold, options.segment, options.sandbox });
-  if (options.label || solid.image.labels.size() == 1 || solid.image.labels.size() > mostLabelsTogether)
+  solid.image = std::move(image);
+  if (label || solid.image.labels.size() == 1 || solid.image.labels.size() > mostLabelsTogether)
   {
-    solid.labels = { chooseLabel(solid.image, options.label) };
+    solid.labels = { chooseLabel(solid.image, label) };
     solid.mask = solid.image.image;
     solid.value = solid.labels.front().value;
   }
@@ -101,6 +99,15 @@ readSolid(const InputOptions & options)
     solid.voxels += entry.voxels;
   }
   return solid;
+}
+
+ChosenSolid
+readSolid(const InputOptions & options)
+{
+  return chooseSolid(isSurfaceName(options.file)
+                       ? readVoxelisedSurface(options)
+                       : readLabelImage(options.file, { options.threshold, options.segment, options.sandbox }),
+                     options.label);
 }
 
 } // namespace moserhex::app

@@ -40,6 +40,11 @@ struct ChosenSolid
 [[nodiscard]] bool
 isInputName(const std::string & fileName);
 
+/** One label of an image, or all of it together when none is wanted and it has at most sixteen.
+ * \throws BadInput  as chooseLabel */
+[[nodiscard]] ChosenSolid
+chooseSolid(LabelImage image, const std::optional<LabelValue> & label);
+
 /** Reads a labelmap, or voxelises a closed surface as label 1, and chooses.
  * \throws UsageError  an option that does not fit the kind of file; BadInput, IOError */
 [[nodiscard]] ChosenSolid

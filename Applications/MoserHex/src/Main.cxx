@@ -82,7 +82,7 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
   addInput(*command, options.input);
   addOutput(*command, options.output);
   command->add_option("--shells", options.shells, "Number of shells N: (2N)^3 nodes")
-    ->check(CLI::Range(2, 64))
+    ->check(CLI::Range(fewestShells, mostShells))
     ->capture_default_str();
   command
     ->add_option("--padding",
@@ -94,24 +94,24 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
   command
     ->add_option(
       "--topology", options.topology, "What to do with a label that is not one solid without cavities and handles")
-    ->check(CLI::IsMember({ "repair", "reject" }))
+    ->check(CLI::IsMember(topologyNames))
     ->capture_default_str();
   addMaximumRepair(*command, options.maximumRepairPercent);
   command->add_option("--stage", options.stage, "Last stage to run")
-    ->check(CLI::IsMember({ "initial", "smoothed", "moser", "exact" }))
+    ->check(CLI::IsMember(stageNames))
     ->capture_default_str();
   command
     ->add_option("--way",
                  options.way,
                  "Where the exact mesh starts from: three shells, or all stages with all shells; needs --stage exact")
-    ->check(CLI::IsMember({ "fast", "faithful" }))
+    ->check(CLI::IsMember(wayNames))
     ->default_str("fast");
   command
     ->add_option("--frame",
                  options.frame,
                  "How the cube is turned against the body: along the patient's axes, or up to 10 degrees from "
                  "them so that its edges leave hollows")
-    ->check(CLI::IsMember({ "anatomical", "ridge" }))
+    ->check(CLI::IsMember(frameNames))
     ->capture_default_str();
   command->add_option("--density",
                       options.density,
@@ -121,7 +121,7 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
   command
     ->add_option(
       "--shell-method", options.shellMethod, "How the shells are found; auto: eikonal for the fast way, else chan-vese")
-    ->check(CLI::IsMember({ "auto", "chan-vese", "snapshots", "eikonal" }))
+    ->check(CLI::IsMember(shellMethodNames))
     ->capture_default_str();
   command->add_option("--report", options.reportFile, "Write a report of the run as JSON");
   addThreadsAndQuiet(*command, options.threads, options.quiet);

@@ -13,7 +13,10 @@ runMeshCommand(const MeshCommandOptions & options)
   MeshedFile meshed;
   {
     ProgressPrinter progress(options.quiet);
-    meshed = meshFile(options, [&progress](double fraction) { progress.show(fraction); });
+    meshed = meshFile(options, [&progress](double fraction) {
+      progress.show(fraction);
+      return true;
+    });
   }
   for (const std::string & warning : meshed.report.warnings)
   {

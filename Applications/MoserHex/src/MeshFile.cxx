@@ -25,18 +25,7 @@ void
 requireUsableNames(const MeshCommandOptions & options)
 {
   requireHexMeshName(options.output);
-  if (!options.density.empty() && options.stage != "exact")
-  {
-    throw UsageError("--density needs --stage exact");
-  }
-  if (options.padding > 0 && options.stage != "exact")
-  {
-    throw UsageError("--padding needs --stage exact");
-  }
-  if (options.way && options.stage != "exact")
-  {
-    throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");
-  }
+  requireUsable(options);
   for (const std::string & input : { options.density, options.input.file })
   {
     requireKept(input, options.output);
@@ -66,19 +55,6 @@ requireWritable(const std::string & fileName)
   const AtomicFile probe(fileName);
 }
 
-/** Scaled Jacobians, and the label that each cell mostly lies in where several are meshed together. */
-HexMeshFields
-fieldsOf(const HexMesh & mesh, const ChosenSolid & solid, unsigned int threads)
-{
-  HexMeshFields fields;
-  fields.scaledJacobian = scaledJacobiansOf(mesh);
-  if (solid.labels.size() > 1)
-  {
-    fields.label = labelsOfCells(mesh, labelValuesOf(*solid.image.image), threads);
-  }
-  return fields;
-}
-
 /** The checksum in the report must be that of what was read. */
 void
 requireUnchanged(const std::string & fileName, const std::string & sha256)
@@ -91,15 +67,21 @@ requireUnchanged(const std::string & fileName, const std::string & sha256)
 
 } // namespace
 
-std::string
-wayOf(const MeshCommandOptions & options)
+HexMeshFields
+fieldsOf(const HexMesh & mesh, const ChosenSolid & solid, unsigned int threads)
 {
-  return options.way.value_or("fast");
+  HexMeshFields fields;
+  fields.scaledJacobian = scaledJacobiansOf(mesh);
+  if (solid.labels.size() > 1)
+  {
+    fields.label = labelsOfCells(mesh, labelValuesOf(*solid.image.image), threads);
+  }
+  return fields;
 }
 
 MeshedFile
 meshFile(const MeshCommandOptions &                       userOptions,
-         const ProgressFunction &                         progress,
+         const ProgressCallback &                         progress,
          const std::function<void(const std::string &)> & comment)
 {
   const auto say = [&comment](const std::string & what) {
@@ -131,11 +113,12 @@ meshFile(const MeshCommandOptions &                       userOptions,
   if (!options.density.empty())
   {
     density = readScalarImage(options.density, { options.input.sandbox });
+    report.density = RunReport::Density{ options.density, sha256OfFile(options.density) };
     report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
   }
   say("meshing " + meshed.solid.name());
   meshed.pipeline = runPipeline(meshed.solid, density.image.GetPointer(), options, progress);
-  addResults(*meshed.pipeline, options, report);
+  addResults(*meshed.pipeline, report);
   requireUnchanged(options.input.file, sha256);
 
   say("writing the mesh");

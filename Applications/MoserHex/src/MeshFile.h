@@ -1,6 +1,7 @@
 #pragma once
 
 #include "MeshRun.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/RunReport.h"
 
 #include <functional>
@@ -17,13 +18,17 @@ struct MeshedFile
   RunReport             report;   ///< complete, with all warnings
 };
 
+/** Scaled Jacobians, and the label that each cell mostly lies in where several are meshed together. */
+[[nodiscard]] HexMeshFields
+fieldsOf(const HexMesh & mesh, const ChosenSolid & solid, unsigned int threads);
+
 /** Meshes one label, or all together, and writes the mesh and the report; prints nothing.
  * \param progress  may be empty
  * \param comment   is told what is being done; may be empty
- * \throws UsageError, BadInput, NoMeshError, IOError */
+ * \throws UsageError, BadInput, NoMeshError, IOError, Cancelled */
 [[nodiscard]] MeshedFile
 meshFile(const MeshCommandOptions &                       options,
-         const ProgressFunction &                         progress,
+         const ProgressCallback &                         progress,
          const std::function<void(const std::string &)> & comment = {});
 
 } // namespace moserhex::app

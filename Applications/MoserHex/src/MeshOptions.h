@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace moserhex::app
 {
@@ -26,6 +27,20 @@ struct MeshCommandOptions
   unsigned int               threads{ 0 };                ///< 0: all of the machine's
   bool                       quiet{ false };
 };
+
+/** The values that options in words may have. */
+inline const std::vector<std::string> stageNames{ "initial", "smoothed", "moser", "exact" };
+inline const std::vector<std::string> wayNames{ "fast", "faithful" };
+inline const std::vector<std::string> frameNames{ "anatomical", "ridge" };
+inline const std::vector<std::string> topologyNames{ "repair", "reject" };
+inline const std::vector<std::string> shellMethodNames{ "auto", "chan-vese", "snapshots", "eikonal" };
+
+inline constexpr int fewestShells = 2;
+inline constexpr int mostShells = 64;
+
+/** \throws UsageError  a value out of its range, or options that exclude each other */
+void
+requireUsable(const MeshCommandOptions & options);
 
 /** fast | faithful */
 [[nodiscard]] std::string

@@ -2,7 +2,6 @@
 
 #include "Console.h"
 #include "Version.h"
-#include "moserhex/HexMeshIO/Sha256.h"
 
 #include <cstdio>
 
@@ -111,18 +110,17 @@ startReport(const ChosenSolid & solid, const std::string & sha256, const MeshCom
 }
 
 void
-addResults(const PipelineType & pipeline, const MeshCommandOptions & options, RunReport & report)
+addResults(const PipelineType & pipeline, RunReport & report)
 {
   report.conditioning = describeConditioning(pipeline.GetConditioningReport());
   describeMesh(pipeline.GetResult(), pipeline.GetStages(), report);
   if (pipeline.GetLabelDensity())
   {
     const LabelDensity & onLabel = *pipeline.GetLabelDensity();
-    report.density = RunReport::Density{ options.density,
-                                         sha256OfFile(options.density),
-                                         onLabel.meanDensity,
-                                         onLabel.mass,
-                                         onLabel.mass / static_cast<double>(report.mesh.cells) };
+    RunReport::Density & density = report.density ? *report.density : report.density.emplace();
+    density.mean = onLabel.meanDensity;
+    density.mass = onLabel.mass;
+    density.massPerCell = onLabel.mass / static_cast<double>(report.mesh.cells);
   }
 }
 

@@ -10,9 +10,9 @@ namespace moserhex::app
 [[nodiscard]] RunReport
 startReport(const ChosenSolid & solid, const std::string & sha256, const MeshCommandOptions & options);
 
-/** What the run did and made. */
+/** What the run did and made; of a density, what it is on the label. */
 void
-addResults(const PipelineType & pipeline, const MeshCommandOptions & options, RunReport & report);
+addResults(const PipelineType & pipeline, RunReport & report);
 
 /** The quality table, then what was meshed and how well, then where the files are. */
 void

@@ -63,7 +63,7 @@ PipelineType::Pointer
 runPipeline(const ChosenSolid &        solid,
             const ScalarImageType *    density,
             const MeshCommandOptions & options,
-            const ProgressFunction &   progress)
+            const ProgressCallback &   progress)
 {
   const auto filter = PipelineType::New();
   filter->SetInput(solid.mask);
@@ -83,9 +83,9 @@ runPipeline(const ChosenSolid &        solid,
   }
   filter->SetNumberOfWorkUnits(options.threads);
   filter->AddObserver(itk::ProgressEvent(), [&progress, &filter](const itk::EventObject &) {
-    if (progress)
+    if (progress && !progress(static_cast<double>(filter->GetProgress())))
     {
-      progress(static_cast<double>(filter->GetProgress()));
+      filter->AbortGenerateDataOn();
     }
   });
   try
@@ -109,6 +109,10 @@ runPipeline(const ChosenSolid &        solid,
                       options.input.file,
                       std::string(error.GetDescription()),
                       isMeshed ? "try other --shells, or --allow-partial" : "try another number of shells");
+  }
+  catch (const itk::ProcessAborted &)
+  {
+    throw Cancelled();
   }
   catch (const itk::ExceptionObject & error)
   {

@@ -105,6 +105,17 @@ numberText(double value, int digits)
   return text.data();
 }
 
+std::string
+latticeText(const HexQualitySummary & quality)
+{
+  if (quality.paddingLayers > 0)
+  {
+    return " (lattice with " + std::to_string(quality.paddingLayers) +
+           (quality.paddingLayers == 1 ? " layer of padding)" : " layers of padding)");
+  }
+  return quality.isLattice ? " (lattice)" : "";
+}
+
 void
 printClass(const char * name, const HexClassQuality & quality)
 {
@@ -174,7 +185,7 @@ printReport(const QualityReport & report)
   std::printf("mesh: %zu nodes, %zu cells%s, %.3f mL, volume ratio %s to %s\n",
               report.nodes,
               quality.cells,
-              quality.isLattice ? " (lattice)" : "",
+              latticeText(quality).c_str(),
               quality.volume / 1000.0,
               numberText(quality.ratioMin, 4).c_str(),
               numberText(quality.ratioMax, 4).c_str());

@@ -47,6 +47,7 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   for (const char * option : { "INPUT",
                                "OUTPUT",
                                "--shells",
+                               "--padding",
                                "--label",
                                "--segment",
                                "--threshold",
@@ -87,7 +88,7 @@ TEST_F(CommandLine, WrongUsageEndsWithTwo)
 
 TEST_F(CommandLine, OptionsOfTheExactStageAreRefusedWithAnother)
 {
-  for (const char * option : { "--way=fast", "--way=faithful", "--density=d.nrrd" })
+  for (const char * option : { "--way=fast", "--way=faithful", "--density=d.nrrd", "--padding=1" })
   {
     for (const char * stage : { "initial", "smoothed", "moser" })
     {
@@ -123,6 +124,23 @@ TEST_F(CommandLine, SeveralLabelsAreMeshedTogetherAndTheCellsSayWhichTheyLieIn)
   EXPECT_EQ(input["labels"], (std::vector<int>{ 1, 2 }));
   EXPECT_TRUE(input["label"].is_null());
   EXPECT_NE(contentOf(path("b.vtk")).find("Label 1 343 int"), std::string::npos);
+}
+
+TEST_F(CommandLine, PaddingSurroundsTheLatticeWithCellsOfTheSameVolume)
+{
+  writeSample();
+  const Outcome outcome =
+    run({ "mesh", path("prostate.nrrd"), path("b.inp"), "--shells=4", "--padding=2", "--report", path("r.json") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  const auto report = nlohmann::json::parse(contentOf(path("r.json")));
+  EXPECT_EQ(report["parameters"]["padding"], 2);
+  EXPECT_EQ(report["mesh"]["cells"], 343 + 2 * 294);
+  EXPECT_EQ(report["stages"].back()["name"], "padding");
+  EXPECT_EQ(readHexMesh(path("b.inp")).paddingLayers, 2);
+  EXPECT_NE(contentOf(path("b.inp")).find("ELSET=PADDING_2"), std::string::npos);
+  const Outcome quality = run({ "quality", path("b.inp") });
+  EXPECT_NE(quality.out.find("lattice with 2 layers of padding"), std::string::npos) << quality.out;
+  expectErrorCode(run({ "mesh", path("prostate.nrrd"), path("b.inp"), "--padding=9" }), "E_USAGE");
 }
 
 TEST_F(CommandLine, LabelThatIsNotThereIsRefusedWithTheOnesThatAre)

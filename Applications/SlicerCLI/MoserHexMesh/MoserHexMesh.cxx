@@ -93,8 +93,11 @@ run(const ModuleArguments & arguments, ModuleProgress & progress)
 {
   constexpr double        afterMesh = 0.98;
   app::MeshCommandOptions options = optionsOf(arguments);
-  const auto              show = [&progress](double fraction) { progress.show(afterMesh * fraction); };
-  const app::MeshedFile   meshed =
+  const auto              show = [&progress](double fraction) {
+    progress.show(afterMesh * fraction);
+    return true;
+  };
+  const app::MeshedFile meshed =
     app::meshFile(options, show, [&](const std::string & what) { progress.comment(what); });
   progress.comment("writing tables");
   if (arguments.has("outputSurface"))

@@ -30,4 +30,35 @@ progressOfPart(const ProgressCallback & callback, std::size_t part, std::size_t 
   return progressBetween(callback, static_cast<double>(part) / count, static_cast<double>(part + 1) / count);
 }
 
+ParallelProgress::ParallelProgress(const ProgressCallback & callback, std::size_t parts)
+  : m_Callback(callback), m_Parts(parts), m_Thread(std::this_thread::get_id())
+{}
+
+ProgressCallback
+ParallelProgress::callback()
+{
+  return [this](double) { return goOn(); };
+}
+
+void
+ParallelProgress::endPart()
+{
+  ++m_Done;
+  if (!goOn())
+  {
+    throw Cancelled();
+  }
+}
+
+bool
+ParallelProgress::goOn()
+{
+  if (m_Callback && std::this_thread::get_id() == m_Thread && !m_Stopped &&
+      !m_Callback(static_cast<double>(m_Done) / static_cast<double>(m_Parts)))
+  {
+    m_Stopped = true;
+  }
+  return !m_Stopped;
+}
+
 } // namespace moserhex

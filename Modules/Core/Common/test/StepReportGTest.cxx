@@ -1,8 +1,10 @@
 // Exact: control flow only.
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Parallel.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 using namespace moserhex;
@@ -51,6 +53,48 @@ TEST(ProgressOfPart, DividesTheWholeEvenly)
     reportProgress(progressOfPart(whole, part, 4), 0.5);
   }
   EXPECT_EQ(seen, (std::vector<double>{ 0.125, 0.375, 0.625, 0.875 }));
+}
+
+TEST(ParallelProgress, IsReportedByTheCallersThreadOnly)
+{
+  const auto             caller = std::this_thread::get_id();
+  std::vector<double>    seen;
+  const ProgressCallback whole = [&](double fraction) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    seen.push_back(fraction);
+    return true;
+  };
+  ParallelProgress shared(whole, 40);
+  parallelFor(40, 3, [&](std::size_t) {
+    reportProgress(shared.callback(), 0.5);
+    shared.endPart();
+  });
+  shared.callback()(0.0);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_EQ(seen.back(), 1.0);
+}
+
+TEST(ParallelProgress, AStopReachesAllThreads)
+{
+  const ProgressCallback whole = [](double) { return false; };
+  ParallelProgress       shared(whole, 3);
+  EXPECT_THROW(parallelFor(3,
+                           3,
+                           [&](std::size_t) {
+                             for (;;) // until it is stopped, on whichever thread
+                             {
+                               reportProgress(shared.callback(), 0.5);
+                             }
+                           }),
+               Cancelled);
+}
+
+TEST(ParallelProgress, AcceptsAnEmptyCallback)
+{
+  const ProgressCallback none;
+  ParallelProgress       shared(none, 1);
+  EXPECT_NO_THROW(shared.endPart());
+  EXPECT_TRUE(shared.callback()(0.0));
 }
 
 TEST(NotConverged, CarriesItsReport)

@@ -2,6 +2,7 @@
 
 #include "CellLoop.h"
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Numerics/GaussLegendre.h"
 
 #include <Eigen/Geometry>
 
@@ -24,42 +25,6 @@ int
 nextFiner(int pointsPerAxis)
 {
   return std::max(pointsPerAxis + 1, pointsPerAxis + pointsPerAxis / 2);
-}
-
-struct GaussRule
-{
-  std::vector<double> abscissae; ///< in (0,1), ascending
-  std::vector<double> weights;   ///< sum 1
-};
-
-/** Gauss-Legendre rule on [0,1] with q points: roots of the Legendre polynomial P_q by Newton's method from Tricomi's
- * estimate; weights 1 / ((1 - z^2) P_q'(z)^2). */
-GaussRule
-gaussLegendre(int q)
-{
-  constexpr double pi = 3.14159265358979323846;
-  GaussRule        rule;
-  for (int i = 0; i < q; ++i)
-  {
-    double z = -std::cos(pi * (i + 0.75) / (q + 0.5));
-    double slope = 1.0;
-    for (int iteration = 0; iteration < 8; ++iteration) // quadratic from 1e-3: four are enough
-    {
-      double previous = 1.0;
-      double value = z;
-      for (int degree = 2; degree <= q; ++degree)
-      {
-        const double next = ((2 * degree - 1) * z * value - (degree - 1) * previous) / degree;
-        previous = value;
-        value = next;
-      }
-      slope = q * (z * value - previous) / (z * z - 1.0);
-      z -= value / slope;
-    }
-    rule.abscissae.push_back(0.5 * (1.0 + z));
-    rule.weights.push_back(1.0 / ((1.0 - z * z) * slope * slope));
-  }
-  return rule;
 }
 
 /** Largest |m - m'| over the cells, over the mean m'. */

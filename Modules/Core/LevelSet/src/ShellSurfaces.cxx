@@ -94,8 +94,11 @@ gapBetween(const TriangleMesh &       outer,
 
 /** Gaps, self-intersections, nesting: shell by shell, each writes only its own numbers. */
 void
-measureShells(std::vector<ShellSurface> & shells, const ShellSurfaceOptions & options)
+measureShells(std::vector<ShellSurface> & shells,
+              const ShellSurfaceOptions & options,
+              const ProgressCallback &    progress)
 {
+  ParallelProgress                shared(progress, shells.size());
   std::vector<ClosestPointSearch> searches;
   searches.reserve(shells.size());
   for (const ShellSurface & shell : shells)
@@ -113,6 +116,7 @@ measureShells(std::vector<ShellSurface> & shells, const ShellSurfaceOptions & op
       shell.gap = gapBetween(shell.mesh, searches[k], inner, searches[k - 1]);
       shell.nested = !options.checkIntersections || isNestedInside(inner, shell.mesh);
     }
+    shared.endPart();
   });
 }
 
@@ -132,15 +136,17 @@ extractShellSurfaces(const LevelSet &            ordering,
   const ShellFunction       boundary(phi);
   const std::size_t         count = volumeFractions.size();
   std::vector<ShellSurface> shells(count);
+  const ProgressCallback    ofCutting = progressBetween(progress, 0.0, 0.8);
+  ParallelProgress          shared(ofCutting, count);
   parallelFor(count, options.threads, [&](std::size_t i) {
     const std::size_t     k = count - i; // the largest first: better balance
     const ShellFunction & f = k == count ? boundary : inside;
     const double          fraction = volumeFractions[k - 1];
     shells[k - 1] =
       cutShell(f, volume * fraction, wantedTriangles(fraction, count, options), shellName(k, count), options);
+    shared.endPart();
   });
-  reportProgress(progress, 0.9);
-  measureShells(shells, options);
+  measureShells(shells, options, progressBetween(progress, 0.8, 1.0));
   reportProgress(progress, 1.0);
   return shells;
 }

@@ -345,6 +345,7 @@ summarizeQuality(const HexMesh & mesh, unsigned int threads)
   const double                      mean = meanVolume(mesh, cells);
   HexQualitySummary                 summary = summaryOf(cells, mean);
   summary.certified = certifyCells(mesh, {}, threads);
+  summary.paddingLayers = mesh.paddingLayers;
   if (mesh.paddingLayers > 0)
   {
     return summary;

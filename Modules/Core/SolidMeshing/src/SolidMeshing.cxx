@@ -186,12 +186,15 @@ private:
       options.areaTolerance = std::max(options.areaTolerance, fastAreaTolerance);
       options.areaLimit = std::max(options.areaLimit, fastAreaLimit);
     }
+    const ProgressCallback ofMaps = progressBetween(m_Progress, afterSurfaces, afterSphereMaps);
+    ParallelProgress       shared(ofMaps, count);
     parallelFor(count, m_Options.threads, [&](std::size_t i) {
       const std::size_t         k = count - 1 - i;
       AreaPreservingMapResult & map = m_Result.sphereMaps[k];
-      map = areaPreservingSphereMap(m_Surfaces[k], options);
+      map = areaPreservingSphereMap(m_Surfaces[k], options, shared.callback());
       m_Maps[k] = std::move(map.positions);
       map.positions.clear();
+      shared.endPart();
     });
     reportProgress(m_Progress, afterSphereMaps);
     for (std::size_t k = 0; k < count; ++k)

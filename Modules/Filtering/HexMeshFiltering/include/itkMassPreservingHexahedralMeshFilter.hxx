@@ -95,9 +95,13 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::SimplerSolid(const moser
   moserhex::ConditioningOptions options =
     moserhex::simplified(simplification, m_ConditioningReport, m_LabelVolume, 2 * m_Options.shells);
   options.threads = this->GetNumberOfWorkUnits();
+  const auto stayOrStop = [this](double) {
+    this->UpdateProgress(this->GetProgress());
+    return !this->GetAbortGenerateData();
+  };
   try
   {
-    moserhex::ConditionedSolid simpler = moserhex::conditionLabel(label, options);
+    moserhex::ConditionedSolid simpler = moserhex::conditionLabel(label, options, stayOrStop);
     m_SimplerReport = simpler.report;
     m_SimplerReport->repair = m_ConditioningReport.repair;
     m_SimplerReport->borders = m_ConditioningReport.borders;

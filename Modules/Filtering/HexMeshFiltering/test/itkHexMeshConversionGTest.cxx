@@ -1,6 +1,8 @@
 // Exact: a copy there and back changes no bit.
 #include "itkHexMeshConversion.h"
 
+#include "moserhex/Analytic/Lattices.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -36,6 +38,25 @@ TEST(HexMeshConversion, ThereAndBackChangesNoBit)
   const moserhex::HexMesh back = itk::HexMeshFromItk(mesh.GetPointer());
   EXPECT_EQ(back.nodesPerSide, 6);
   EXPECT_EQ(back.nodes, source.nodes);
+}
+
+TEST(HexMeshConversion, PaddingGoesThereAndBackAndIsNamed)
+{
+  const moserhex::HexMesh source =
+    moserhex::analytic::paddedLattice(4, 2, [](const moserhex::Vector3 & index) { return index; });
+  const auto mesh = itk::LatticeHexMesh::New();
+  itk::CopyHexMeshToItk(source, mesh.GetPointer());
+  const moserhex::HexMesh back = itk::HexMeshFromItk(mesh.GetPointer());
+  EXPECT_EQ(back.nodesPerSide, 4);
+  EXPECT_EQ(back.paddingLayers, 2);
+  EXPECT_EQ(back.nodes, source.nodes);
+  const itk::LatticePointData data = mesh->GetPointData()->ElementAt(source.paddingNodeNumber(2, 0, 1, 3));
+  EXPECT_EQ(data[0], 0);
+  EXPECT_EQ(data[1], 1);
+  EXPECT_EQ(data[2], 3);
+  EXPECT_EQ(data[3], 4); // two shells, two layers
+  EXPECT_EQ(mesh->GetCellData()->ElementAt(27)[0], 3);
+  EXPECT_EQ(mesh->GetCellData()->ElementAt(27 + 54)[0], 4);
 }
 
 TEST(HexMeshConversion, PointDataHoldTheLatticeIndexAndShell)

@@ -49,7 +49,7 @@ void
 setGeometry(ImageDescription & image, const Matrix3 & columns, const Vector3 & origin)
 {
   const auto refuse = [&image](const std::string & cause) {
-    throw BadInput(ErrorCode::Geometry, image.fileName, cause, "correct the header's geometry");
+    throw BadInput(ErrorCode::Geometry, image.fileName, cause, "correct the image's geometry");
   };
   if (!columns.allFinite())
   {

@@ -32,36 +32,6 @@ requireUsable(const std::string & fileName, const LabelReadOptions & options)
   }
 }
 
-/** The labels to report, named by their segments. \throws BadInput (EmptyLabel)  none */
-std::vector<LabelEntry>
-labelEntries(const ImageDescription &          image,
-             const LabelVoxels &               labels,
-             const LabelRules &                rules,
-             const std::vector<SegmentEntry> & segments)
-{
-  std::vector<LabelEntry> entries;
-  for (const auto & [value, voxels] : labels.counts[static_cast<std::size_t>(rules.layer)])
-  {
-    if (value == 0 || (rules.only && value != *rules.only))
-    {
-      continue;
-    }
-    const auto segment = std::find_if(segments.begin(), segments.end(), [&, own = value](const SegmentEntry & one) {
-      return one.layer == rules.layer && one.value == own && !rules.threshold;
-    });
-    entries.push_back({ value, voxels, segment == segments.end() ? "" : segment->name });
-  }
-  if (entries.empty())
-  {
-    throw BadInput(ErrorCode::EmptyLabel,
-                   image.fileName,
-                   rules.threshold ? "no voxel reaches the threshold"
-                                   : (rules.only ? "the segment has no voxels" : "no voxel differs from 0"),
-                   rules.threshold ? "give a smaller threshold" : "give a labelmap with at least one label");
-  }
-  return entries;
-}
-
 /** Everything about a labelmap but its file name: voxels first, so that they need not be moved. */
 std::string
 pack(const ImageDescription &          image,
@@ -166,7 +136,7 @@ packedLabels(const std::string & fileName, const std::string & itkName, const La
       const auto   count = counts.find(segment.value);
       segment.voxels = count == counts.end() || rules.threshold ? 0 : count->second;
     }
-    const auto entries = labelEntries(image, labels, rules, segments);
+    const auto entries = labelEntries(image, labels.counts[static_cast<std::size_t>(rules.layer)], rules, segments);
     parcel = pack(image, std::move(labels), entries, segments);
   });
   return parcel;

@@ -55,4 +55,33 @@ warnOfNaN(ImageDescription & image, std::size_t notNumbers)
   }
 }
 
+std::vector<LabelEntry>
+labelEntries(const ImageDescription &          image,
+             const LabelVoxels::Counts &       counts,
+             const LabelRules &                rules,
+             const std::vector<SegmentEntry> & segments)
+{
+  std::vector<LabelEntry> entries;
+  for (const auto & [value, voxels] : counts)
+  {
+    if (value == 0 || (rules.only && value != *rules.only))
+    {
+      continue;
+    }
+    const auto segment = std::find_if(segments.begin(), segments.end(), [&, own = value](const SegmentEntry & one) {
+      return one.layer == rules.layer && one.value == own && !rules.threshold;
+    });
+    entries.push_back({ value, voxels, segment == segments.end() ? "" : segment->name });
+  }
+  if (entries.empty())
+  {
+    throw BadInput(ErrorCode::EmptyLabel,
+                   image.fileName,
+                   rules.threshold ? "no voxel reaches the threshold"
+                                   : (rules.only ? "the segment has no voxels" : "no voxel differs from 0"),
+                   rules.threshold ? "give a smaller threshold" : "give a labelmap with at least one label");
+  }
+  return entries;
+}
+
 } // namespace moserhex

@@ -43,6 +43,14 @@ warnOfRounding(ImageDescription & image, std::size_t rounded);
 void
 warnOfNaN(ImageDescription & image, std::size_t notNumbers);
 
+/** The labels to report of those counted in the rules' layer, named by their segments.
+ * \throws BadInput (EmptyLabel)  none */
+[[nodiscard]] std::vector<LabelEntry>
+labelEntries(const ImageDescription &          image,
+             const LabelVoxels::Counts &       counts,
+             const LabelRules &                rules,
+             const std::vector<SegmentEntry> & segments);
+
 /** Turns values into labels, see readLabelImage. */
 template <typename TVoxel>
 class LabelMaker

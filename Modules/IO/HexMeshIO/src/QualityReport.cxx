@@ -82,7 +82,8 @@ toJson(const QualityReport & report)
   json["mesh"] = { { "file", report.file },
                    { "nodes", report.nodes },
                    { "cells", report.quality.cells },
-                   { "lattice", report.quality.isLattice } };
+                   { "lattice", report.quality.isLattice },
+                   { "padding", report.quality.paddingLayers } };
   json["quality"] = qualityJson(report.quality);
   if (report.label)
   {

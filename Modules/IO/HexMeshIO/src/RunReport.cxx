@@ -138,7 +138,7 @@ toJson(const RunReport & report)
                       { "uncertified_cells", report.exact->uncertifiedCells },
                       { "variance", report.exact->variance },
                       { "shortcomings", report.exact->shortcomings } };
-    if (!report.parameters.density.empty())
+    if (report.density)
     {
       json["exact"]["mass_quadrature_error"] = report.exact->massQuadratureError;
     }

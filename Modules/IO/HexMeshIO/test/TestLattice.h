@@ -1,5 +1,6 @@
 #pragma once
 
+#include "moserhex/Analytic/Lattices.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
 #include <cmath>
@@ -22,6 +23,19 @@ bentLattice(int n)
       i + 0.1 * std::sin(j), j - 100.0 / 3.0 + 0.1 * std::cos(k), 1e-5 * std::exp(i) + 1.2 * k + 0.1 * std::sin(i));
   }
   return mesh;
+}
+
+/** The same with layers of padding. */
+inline HexMesh
+bentPaddedLattice(int n, int layers)
+{
+  return analytic::paddedLattice(n, layers, [](const Vector3 & index) {
+    const double i = index[0];
+    const double j = index[1];
+    const double k = index[2];
+    return Vector3(
+      i + 0.1 * std::sin(j), j - 100.0 / 3.0 + 0.1 * std::cos(k), 1e-5 * std::exp(i) + 1.2 * k + 0.1 * std::sin(i));
+  });
 }
 
 /** A value of its own for each cell or node. */

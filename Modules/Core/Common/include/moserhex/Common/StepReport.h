@@ -1,8 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <thread>
 
 namespace moserhex
 {
@@ -32,5 +34,40 @@ progressBetween(const ProgressCallback & callback, double from, double to);
 /** The part number `part`, from 0, of `parts` equal parts of a larger task. */
 [[nodiscard]] ProgressCallback
 progressOfPart(const ProgressCallback & callback, std::size_t part, std::size_t parts);
+
+/** Progress of equal parts that are done in parallel.
+ *
+ *   ParallelProgress shared(progress, count);
+ *   parallelFor(count, threads, [&](std::size_t i) {
+ *     results[i] = algorithm(inputs[i], options, shared.callback());
+ *     shared.endPart();
+ *   });
+ *
+ * The callback is called on the thread that made the object only, which parallelFor gives parts, too; when it asks for
+ * a stop, the algorithms of all threads are stopped. */
+class ParallelProgress
+{
+public:
+  /** \param callback  must outlive the object */
+  ParallelProgress(const ProgressCallback & callback, std::size_t parts);
+
+  /** For the algorithm of a part; its own fraction does not count. */
+  [[nodiscard]] ProgressCallback
+  callback();
+
+  /** \throws Cancelled */
+  void
+  endPart();
+
+private:
+  [[nodiscard]] bool
+  goOn();
+
+  const ProgressCallback & m_Callback;
+  std::size_t              m_Parts;
+  std::thread::id          m_Thread;
+  std::atomic<std::size_t> m_Done{ 0 };
+  std::atomic<bool>        m_Stopped{ false };
+};
 
 } // namespace moserhex

@@ -74,7 +74,8 @@ struct HexQualitySummary
   Distribution      aspectRatio;
   Distribution      taper;
   Distribution      skew;
-  bool              isLattice{ false }; ///< the three classes below are filled in
+  int               paddingLayers{ 0 }; ///< of a lattice
+  bool              isLattice{ false }; ///< without padding: the three classes below are filled in
   HexClassQuality   corners;            ///< the 8 cells at the cube's corners
   HexClassQuality   edges;              ///< the 12 (n-3) cells along its edges
   HexClassQuality   rest;

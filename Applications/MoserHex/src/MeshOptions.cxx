@@ -1,0 +1,71 @@
+#include "MeshOptions.h"
+
+#include "CommandErrors.h"
+#include "moserhex/SolidMeshing/SolidMeshing.h"
+
+#include <algorithm>
+
+namespace moserhex::app
+{
+namespace
+{
+
+void
+requireOneOf(const std::string & option, const std::string & value, const std::vector<std::string> & names)
+{
+  if (std::find(names.begin(), names.end(), value) != names.end())
+  {
+    return;
+  }
+  std::string list;
+  for (const std::string & name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  throw UsageError(option + ": " + oneLine(value, 40) + " is none of " + list);
+}
+
+} // namespace
+
+void
+requireUsable(const MeshCommandOptions & options)
+{
+  requireOneOf("--stage", options.stage, stageNames);
+  requireOneOf("--way", wayOf(options), wayNames);
+  requireOneOf("--frame", options.frame, frameNames);
+  requireOneOf("--topology", options.topology, topologyNames);
+  requireOneOf("--shell-method", options.shellMethod, shellMethodNames);
+  if (options.shells < fewestShells || options.shells > mostShells)
+  {
+    throw UsageError("--shells: " + std::to_string(options.shells) + ", need " + std::to_string(fewestShells) + " to " +
+                     std::to_string(mostShells));
+  }
+  if (options.padding < 0 || options.padding > largestPadding)
+  {
+    throw UsageError("--padding: " + std::to_string(options.padding) + ", need 0 to " + std::to_string(largestPadding));
+  }
+  if (options.padding > 0 && options.stage != "exact")
+  {
+    throw UsageError("--padding needs --stage exact");
+  }
+  if (!(options.maximumRepairPercent >= 0.0 && options.maximumRepairPercent <= 100.0))
+  {
+    throw UsageError("--max-repair: " + std::to_string(options.maximumRepairPercent) + ", need 0 to 100 per cent");
+  }
+  if (!options.density.empty() && options.stage != "exact")
+  {
+    throw UsageError("--density needs --stage exact");
+  }
+  if (options.way && options.stage != "exact")
+  {
+    throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");
+  }
+}
+
+std::string
+wayOf(const MeshCommandOptions & options)
+{
+  return options.way.value_or("fast");
+}
+
+} // namespace moserhex::app

@@ -1,0 +1,63 @@
+#include "ArrayOutput.h"
+
+#include <algorithm>
+
+namespace moserhex::python
+{
+
+namespace py = pybind11;
+
+py::array
+arrayOf(const Positions & positions, Space space)
+{
+  py::array_t<double> array({ static_cast<py::ssize_t>(positions.size()), py::ssize_t{ 3 } });
+  double *            next = array.mutable_data();
+  for (const Vector3 & position : positions)
+  {
+    const Vector3 flipped = flip(position, space);
+    next = std::copy_n(flipped.data(), 3, next);
+  }
+  return array;
+}
+
+py::array
+cubeOf(const std::vector<double> & values, int side)
+{
+  py::array_t<double, py::array::f_style> array({ side, side, side });
+  std::copy(values.begin(), values.end(), array.mutable_data());
+  return array;
+}
+
+py::array
+arrayOf(const LabelImageType & image)
+{
+  const auto                                  size = image.GetLargestPossibleRegion().GetSize();
+  py::array_t<LabelValue, py::array::f_style> array({ size[0], size[1], size[2] });
+  std::copy_n(image.GetBufferPointer(), array.size(), array.mutable_data());
+  return array;
+}
+
+py::array
+affineOf(const LabelImageType & image, Space space)
+{
+  py::array_t<double> affine({ 4, 4 });
+  auto                entry = affine.mutable_unchecked<2>();
+  for (py::ssize_t column = 0; column < 4; ++column)
+  {
+    Vector3 steps;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      const auto axis = static_cast<unsigned int>(column);
+      steps[row] = column < 3 ? image.GetDirection()(row, axis) * image.GetSpacing()[axis] : image.GetOrigin()[row];
+    }
+    steps = flip(steps, space);
+    for (py::ssize_t row = 0; row < 3; ++row)
+    {
+      entry(row, column) = steps[row];
+    }
+    entry(3, column) = column < 3 ? 0.0 : 1.0;
+  }
+  return affine;
+}
+
+} // namespace moserhex::python

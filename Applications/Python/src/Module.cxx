@@ -1,0 +1,232 @@
+// The compiled part of the package moserhex: arrays in, one call of the library, arrays out.
+#include "ArrayOutput.h"
+#include "Interruption.h"
+#include "MeshFile.h"
+#include "MeshReport.h"
+#include "PythonErrors.h"
+#include "PythonMesh.h"
+#include "ScaledJacobians.h"
+#include "Version.h"
+#include "moserhex/Common/Parallel.h"
+#include "moserhex/Common/Stopwatch.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
+
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace
+{
+
+namespace py = pybind11;
+using namespace moserhex;
+using namespace moserhex::python;
+
+/** What all programs name an image of the density that has no file. */
+constexpr const char * densityName = "density";
+
+unsigned int
+threadsFrom(long long threads)
+{
+  constexpr long long most = 1024;
+  if (threads < 0 || threads > most)
+  {
+    throw InvalidInput(ErrorCode::Usage, "threads: " + std::to_string(threads) + ", need 0 (all) to 1024");
+  }
+  return static_cast<unsigned int>(threads);
+}
+
+std::optional<LabelValue>
+labelFrom(const std::optional<long long> & label)
+{
+  if (!label)
+  {
+    return std::nullopt;
+  }
+  if (*label < 0 || *label > std::numeric_limits<LabelValue>::max())
+  {
+    throw InvalidInput(ErrorCode::Labels, "label: " + std::to_string(*label) + ", need 1 to 2^31-1");
+  }
+  return static_cast<LabelValue>(*label);
+}
+
+ImageFunctionOptions
+samplingFrom(const std::string & interpolation, double outside)
+{
+  if (interpolation != "linear" && interpolation != "nearest")
+  {
+    throw InvalidInput(ErrorCode::Usage,
+                       "interpolation: " + oneLine(interpolation, 40) + " is none of linear, nearest");
+  }
+  return { interpolation == "linear" ? ImageInterpolation::Linear : ImageInterpolation::Nearest, outside };
+}
+
+std::unique_ptr<PythonMesh>
+meshSolidOf(LabelImage                         image,
+            const std::optional<LabelValue> &  label,
+            const std::optional<ScalarImage> & density,
+            const app::MeshCommandOptions &    options,
+            Space                              space,
+            Interruption &                     interruption)
+{
+  const Stopwatch        stopwatch;
+  const app::ChosenSolid solid = app::chooseSolid(std::move(image), label);
+  RunReport              report = app::startReport(solid, "", options);
+  if (density)
+  {
+    report.density.emplace().file = density->fileName;
+    report.warnings.insert(report.warnings.end(), density->warnings.begin(), density->warnings.end());
+  }
+  const auto pipeline =
+    app::runPipeline(solid, density ? density->image.GetPointer() : nullptr, options, [&](double fraction) {
+      return interruption.goOn(fraction);
+    });
+  app::addResults(*pipeline, report);
+  const HexMesh & mesh = pipeline->GetHexMesh();
+  HexMeshFields   fields = app::fieldsOf(mesh, solid, options.threads);
+  report.seconds = stopwatch.seconds();
+  return std::make_unique<PythonMesh>(mesh, std::move(fields), space, report.warnings, toJson(report));
+}
+
+std::unique_ptr<PythonMesh>
+makeMesh(const py::object &               labels,
+         const py::object &               affine,
+         const std::optional<long long> & label,
+         const std::string &              space,
+         int                              shells,
+         int                              padding,
+         const std::string &              stage,
+         const std::string &              way,
+         const std::string &              frame,
+         const std::string &              shellMethod,
+         const std::string &              topology,
+         double                           maximumRepair,
+         const py::object &               density,
+         const py::object &               densityAffine,
+         long long                        threads,
+         bool                             allowPartial,
+         const py::object &               progress)
+{
+  app::MeshCommandOptions options;
+  options.input.file = "labels";
+  options.shells = shells;
+  options.padding = padding;
+  options.stage = stage;
+  options.way = way;
+  options.frame = frame;
+  options.shellMethod = shellMethod;
+  options.topology = topology;
+  options.maximumRepairPercent = maximumRepair;
+  options.density = density.is_none() ? "" : densityName;
+  options.threads = threadsFrom(threads);
+  options.threads = options.threads == 0 ? defaultThreadCount() : options.threads;
+  options.allowPartial = allowPartial;
+  if (stage != "exact" && way == "fast")
+  {
+    options.way.reset(); // the default, which counts for exact meshes only
+  }
+  app::requireUsable(options);
+
+  const Space                     ownSpace = spaceOf(space);
+  const std::optional<LabelValue> chosen = labelFrom(label);
+  LabelImage                      image = labelsFrom(labels, affine, ownSpace);
+  std::optional<ScalarImage>      densityImage;
+  if (!density.is_none())
+  {
+    densityImage = scalarsFrom(densityName, density, densityAffine, ownSpace);
+  }
+  Interruption interruption(progress);
+  try
+  {
+    const py::gil_scoped_release release;
+    return meshSolidOf(std::move(image), chosen, densityImage, options, ownSpace, interruption);
+  }
+  catch (const Cancelled &)
+  {
+    interruption.rethrow();
+    throw;
+  }
+}
+
+std::unique_ptr<PythonMesh>
+readMesh(const std::string & fileName, const std::string & space, bool sandbox)
+{
+  const Space                  ownSpace = spaceOf(space);
+  const py::gil_scoped_release release;
+  const HexCellFile            file = readHexCells(fileName, { sandbox });
+  HexMesh                      mesh = latticeOf(file.mesh, fileName);
+  HexMeshFields                fields;
+  fields.scaledJacobian = app::scaledJacobiansOf(mesh);
+  return std::make_unique<PythonMesh>(std::move(mesh), std::move(fields), ownSpace, file.warnings, "");
+}
+
+/** Labels, affine, warnings. */
+py::tuple
+readLabels(const std::string &                fileName,
+           const std::string &                space,
+           const std::optional<double> &      threshold,
+           const std::optional<std::string> & segment,
+           bool                               sandbox)
+{
+  const Space ownSpace = spaceOf(space);
+  LabelImage  image;
+  {
+    const py::gil_scoped_release release;
+    image = readLabelImage(fileName, { threshold, segment, sandbox });
+  }
+  return py::make_tuple(arrayOf(*image.image), affineOf(*image.image, ownSpace), image.warnings);
+}
+
+} // namespace
+
+PYBIND11_MODULE(_moserhex, module)
+{
+  addError(module);
+  module.attr("__version__") = app::version;
+  module.def("mesh", &makeMesh);
+  module.def("read", &readMesh);
+  module.def("read_labels", &readLabels);
+
+  py::class_<PythonMesh>(module, "Mesh")
+    .def_property_readonly("nodes_per_side", &PythonMesh::nodesPerSide)
+    .def_property_readonly("padding_layers", &PythonMesh::paddingLayers)
+    .def_property_readonly("space", [](const PythonMesh & self) { return self.space() == Space::RAS ? "RAS" : "LPS"; })
+    .def_property_readonly("warnings", &PythonMesh::warnings)
+    .def_property_readonly("report", &PythonMesh::report)
+    .def("points", &PythonMesh::points)
+    .def("cells", &PythonMesh::cells)
+    .def("quality", [](const PythonMesh & self, long long threads) { return self.quality(threadsFrom(threads)); })
+    .def("cube_coordinates",
+         [](const PythonMesh & self, const py::object & points, long long threads) {
+           return self.cubeCoordinates(points, threadsFrom(threads));
+         })
+    .def("positions", &PythonMesh::positions)
+    .def("cell_means",
+         [](const PythonMesh &  self,
+            const py::object &  values,
+            const py::object &  affine,
+            int                 order,
+            const std::string & interpolation,
+            double              outside,
+            long long           threads) {
+           return self.cellMeans(scalarsFrom("values", values, affine, self.space()),
+                                 order,
+                                 samplingFrom(interpolation, outside),
+                                 threadsFrom(threads));
+         })
+    .def("node_samples",
+         [](const PythonMesh &  self,
+            const py::object &  values,
+            const py::object &  affine,
+            const std::string & interpolation,
+            double              outside,
+            long long           threads) {
+           return self.nodeSamples(scalarsFrom("values", values, affine, self.space()),
+                                   samplingFrom(interpolation, outside),
+                                   threadsFrom(threads));
+         })
+    .def("write", &PythonMesh::write);
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+#include "moserhex/HexMeshIO/ScalarImageReader.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace moserhex
+{
+
+/** What a file says in its header, for voxels that are in memory already. */
+struct ArrayHeader
+{
+  std::string                  name; ///< of the array, in messages
+  std::array<std::uint64_t, 3> size{ { 0, 0, 0 } };
+  Matrix3                      columns{ Matrix3::Identity() }; ///< steps of the three indices [mm, LPS]
+  Vector3                      origin{ Vector3::Zero() };      ///< centre of voxel (0,0,0) [mm, LPS]
+};
+
+/** \throws BadInput  Empty, TooBig, Geometry: the limits that files have */
+void
+requireValid(const ArrayHeader & header);
+
+/** A labelmap in memory, judged as readLabelImage judges one in a file: which values are labels, how many there may
+ * be, the same limits of size and geometry, the same warnings.
+ *
+ * \param voxels  in the order of the voxel numbers, i fastest. TVoxel: the integers of 8 to 64 bits, float, double
+ * \throws BadInput      as requireValid(header); Labels, EmptyLabel
+ * \throws InvalidInput  the number of voxels is not the product of the sizes */
+template <typename TVoxel>
+[[nodiscard]] LabelImage
+labelImageFrom(const ArrayHeader & header, const std::vector<TVoxel> & voxels);
+
+/** A scalar image in memory, judged as readScalarImage judges one in a file.
+ * \throws BadInput      as requireValid(header)
+ * \throws InvalidInput  the number of values is not the product of the sizes */
+[[nodiscard]] ScalarImage
+scalarImageFrom(const ArrayHeader & header, const std::vector<double> & values);
+
+} // namespace moserhex

@@ -1,0 +1,110 @@
+#include "moserhex/HexMeshIO/ImageArray.h"
+
+#include "ImageGrid.h"
+#include "ImageHeader.h"
+#include "LabelVoxels.h"
+
+#include <algorithm>
+
+namespace moserhex
+{
+namespace
+{
+
+ImageDescription
+describe(const ArrayHeader & header, ComponentType type)
+{
+  ImageDescription image;
+  image.fileName = header.name;
+  if (std::find(header.size.begin(), header.size.end(), 0u) != header.size.end())
+  {
+    throw BadInput(ErrorCode::Empty, header.name, "an array without voxels", "give one with at least one label");
+  }
+  setVoxels(image, { header.size.begin(), header.size.end() }, type, 1);
+  setGeometry(image, header.columns, header.origin);
+  return image;
+}
+
+void
+requireOneValueAVoxel(const ImageDescription & image, std::size_t values)
+{
+  if (values != image.grid.gridVoxels())
+  {
+    throw InvalidInput(image.fileName + ": " + std::to_string(values) + " values for " +
+                       std::to_string(image.grid.gridVoxels()) + " voxels");
+  }
+}
+
+template <typename TVoxel>
+constexpr ComponentType
+componentOf()
+{
+  if constexpr (std::is_floating_point_v<TVoxel>)
+  {
+    return sizeof(TVoxel) == 4 ? ComponentType::Float32 : ComponentType::Float64;
+  }
+  else
+  {
+    constexpr ComponentType types[2][4] = {
+      { ComponentType::UInt8, ComponentType::UInt16, ComponentType::UInt32, ComponentType::UInt64 },
+      { ComponentType::Int8, ComponentType::Int16, ComponentType::Int32, ComponentType::Int64 }
+    };
+    return types[std::is_signed_v<TVoxel> ? 1 : 0][sizeof(TVoxel) == 8 ? 3 : sizeof(TVoxel) / 2];
+  }
+}
+
+} // namespace
+
+void
+requireValid(const ArrayHeader & header)
+{
+  (void)describe(header, ComponentType::UInt8);
+}
+
+template <typename TVoxel>
+LabelImage
+labelImageFrom(const ArrayHeader & header, const std::vector<TVoxel> & voxels)
+{
+  ImageDescription image = describe(header, componentOf<TVoxel>());
+  requireOneValueAVoxel(image, voxels.size());
+  const LabelRules              rules;
+  const auto                    counts = countLabels(image, voxels, rules);
+  const std::vector<LabelEntry> entries = labelEntries(image, counts.front(), rules, {});
+  const LabelMaker<TVoxel>      labelOf(rules.threshold);
+  LabelImage result{ header.name, imageOnGrid<LabelImageType>(image.grid), entries, image.warnings, {} };
+  std::transform(voxels.begin(), voxels.end(), result.image->GetBufferPointer(), labelOf);
+  return result;
+}
+
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::int8_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::uint8_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::int16_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::uint16_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::int32_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::uint32_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::int64_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<std::uint64_t> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<float> &);
+template LabelImage
+labelImageFrom(const ArrayHeader &, const std::vector<double> &);
+
+ScalarImage
+scalarImageFrom(const ArrayHeader & header, const std::vector<double> & values)
+{
+  const ImageDescription image = describe(header, ComponentType::Float64);
+  requireOneValueAVoxel(image, values.size());
+  ScalarImage result{ header.name, imageOnGrid<ScalarImageType>(image.grid), image.warnings };
+  std::copy(values.begin(), values.end(), result.image->GetBufferPointer());
+  return result;
+}
+
+} // namespace moserhex
