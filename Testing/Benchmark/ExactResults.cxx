@@ -116,12 +116,13 @@ writeCases(std::ostream & os, const std::vector<ExactCase> & cases, const Measur
   return rows;
 }
 
-/** The stages one after the other, and the two ways to the exact mesh. */
+/** The stages one after the other, the two ways to the exact mesh, and padding. */
 struct AblationStep
 {
   const char * name;
   MeshingStage lastStage;
   MeshingWay   way;
+  int          paddingLayers{ 0 };
 };
 constexpr AblationStep ablationSteps[] = {
   { "initial", MeshingStage::Initial, MeshingWay::Faithful },
@@ -129,6 +130,8 @@ constexpr AblationStep ablationSteps[] = {
   { "moser", MeshingStage::Moser, MeshingWay::Faithful },
   { "exact, faithful way", MeshingStage::Exact, MeshingWay::Faithful },
   { "exact, fast way", MeshingStage::Exact, MeshingWay::Fast },
+  { "exact, 1 layer of padding", MeshingStage::Exact, MeshingWay::Fast, 1 },
+  { "exact, 2 layers of padding", MeshingStage::Exact, MeshingWay::Fast, 2 },
 };
 
 /** The surface that encloses the label's volume, as the chain cuts it out. */
@@ -194,9 +197,9 @@ void
 writeAblation(std::ostream & os, const std::vector<ExactCase> & cases)
 {
   os << "\n### Stage by stage\n\n"
-        "The chain stopped after each stage, all shells; last, the fast way (default). Medians, then worst cases. A "
-        "row\n"
-        "has a case only if it gave a mesh. Times without reading and writing.\n\n";
+        "The chain stopped after each stage, all shells; then the fast way (default), alone and with padding. Medians, "
+        "then\n"
+        "worst cases. A row has a case only if it gave a mesh. Times without reading and writing.\n\n";
   writeHeading(os, "chain ends after", "meshes, of them exact");
   std::ostringstream worst;
   for (const AblationStep & step : ablationSteps)
@@ -210,6 +213,7 @@ writeAblation(std::ostream & os, const std::vector<ExactCase> & cases)
       options.shells = one.shells;
       options.lastStage = step.lastStage;
       options.way = step.way;
+      options.paddingLayers = step.paddingLayers;
       try
       {
         const Run run = runPipeline(readLabelImage(one.file.string()), options);

@@ -21,13 +21,14 @@ struct Column
 
 constexpr int significantDigits = -1;
 
-constexpr std::array<Column, 9> columns{ {
+constexpr std::array<Column, 10> columns{ {
   { "cells", &MeshNumbers::cells, 0, true },
   { "vol. var.", &MeshNumbers::variance, significantDigits, false },
   { "% concave", &MeshNumbers::concavePercent, 2, false },
   { "% certified", &MeshNumbers::certifiedPercent, 2, true },
   { "SJ min", &MeshNumbers::smallestJacobian, 3, true },
   { "SJ median", &MeshNumbers::medianJacobian, 3, true },
+  { "SJ mean", &MeshNumbers::meanJacobian, 3, true },
   { "volume error", &MeshNumbers::volumeError, significantDigits, false },
   { "boundary max (mm)", &MeshNumbers::boundary, 2, false },
   { "time (s)", &MeshNumbers::seconds, 2, false },
@@ -56,6 +57,7 @@ numbersOf(const HexQualitySummary & quality, double labelVolume)
   numbers.certifiedPercent = 100.0 * static_cast<double>(quality.certified.positive) / numbers.cells;
   numbers.smallestJacobian = quality.scaledJacobian.minimum;
   numbers.medianJacobian = quality.scaledJacobian.median;
+  numbers.meanJacobian = quality.scaledJacobian.mean;
   numbers.volumeError = std::abs(quality.volume / labelVolume - 1.0);
   return numbers;
 }

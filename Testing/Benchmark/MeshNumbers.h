@@ -18,6 +18,7 @@ struct MeshNumbers
   double certifiedPercent{ 0.0 }; ///< cells with det J > 0 everywhere, proven
   double smallestJacobian{ 0.0 }; ///< scaled [1]
   double medianJacobian{ 0.0 };   ///< scaled [1]
+  double meanJacobian{ 0.0 };     ///< scaled [1]
   double volumeError{ 0.0 };      ///< |mesh / label - 1| [1]
   double boundary{ 0.0 };         ///< largest distance of boundary nodes and face centres to the surface [mm]
   double seconds{ 0.0 };

@@ -17,6 +17,7 @@ runPipeline(const LabelImage & image, const RunOptions & runOptions)
   SolidMeshingOptions options;
   options.shells = runOptions.shells;
   options.lastStage = runOptions.lastStage;
+  options.paddingLayers = runOptions.paddingLayers;
   options.way = runOptions.way;
   options.allowPartial = true;
   if (!runOptions.smoothing)

@@ -26,6 +26,7 @@ struct RunOptions
   int                                  shells{ 10 };
   MeshingStage                         lastStage{ MeshingStage::Moser };
   MeshingWay                           way{ MeshingWay::Faithful }; ///< matters for MeshingStage::Exact only
+  int                                  paddingLayers{ 0 };
   bool                                 smoothing{ true };
   std::optional<Pipeline::ShellMethod> method; ///< empty: what the command does by default
 };
