@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Compresses the sample prostate between two faces of the cube with CalculiX, on ever finer meshes, and prints the force.
 #
-#   compress.sh [MOSERHEX [FOLDER]]      the program (moserhex), where the files go (a folder of its own)
+#   compress.sh [MOSERHEX [FOLDER [PADDING]]]      the program (moserhex), where the files go (a folder of its own), layers
+#                                                  of pillow cells around the lattice (0)
 #
 # FACE_K0 (Inferior) is held, FACE_K1 (Superior) is moved down by 1 mm; E = 15 kPa, nu = 0.3, small strains. Units: mm, kPa,
 # so forces are in mN. Ends with 0 when the force settles: every refinement changes it less than the one before, and the
@@ -9,6 +10,7 @@
 set -euo pipefail
 moserhex=$(realpath "$(command -v "${1:-moserhex}")")
 folder=${2:-$(mktemp -d)}
+padding=${3:-0}
 if ! command -v ccx > /dev/null; then
   echo "CalculiX (ccx, Debian package calculix-ccx) is not installed: nothing is compressed." >&2
   exit 77
@@ -17,7 +19,7 @@ mkdir -p "$folder"
 "$moserhex" sample "$folder" --quiet
 cd "$folder"
 for shells in 6 8 10 12; do
-  "$moserhex" mesh prostate.nrrd "mesh$shells.inp" --shells $shells --quiet
+  "$moserhex" mesh prostate.nrrd "mesh$shells.inp" --shells $shells --padding "$padding" --quiet
   cat > "compress$shells.inp" << END
 *INCLUDE, INPUT=mesh$shells.inp
 *MATERIAL, NAME=TISSUE
@@ -37,9 +39,9 @@ EVOL
 *END STEP
 END
   ccx "compress$shells" > "compress$shells.log"
-  awk -v shells=$shells '/total force/ { what = "force"; next } /total volume/ { what = "volume"; next }
+  awk -v n=$((2 * shells - 1)) -v padding="$padding" -v shells=$shells '/total force/ { what = "force"; next } /total volume/ { what = "volume"; next }
     NF && what == "force" { force = $3; what = "" } NF && what == "volume" { volume = $1; what = "" }
-    END { print shells, (2 * shells - 1) ^ 3, force, volume }' "compress$shells.dat"
+    END { print shells, n ^ 3 + 6 * n ^ 2 * padding, force, volume }' "compress$shells.dat"
 done > forces.txt
 "$moserhex" quality mesh12.inp --json quality.json --quiet
 reported=$(awk -F'[:,]' '/"volume_mm3"/ { print $2; exit }' quality.json)

@@ -41,6 +41,26 @@ nodeIndices(const HexMesh & mesh)
   return indices;
 }
 
+Positions
+cubeCoordinates(const HexMesh & mesh)
+{
+  const int last = mesh.nodesPerSide - 1;
+  Positions coordinates;
+  coordinates.reserve(mesh.nodes.size());
+  for (const auto & [at, layer] : nodeIndices(mesh))
+  {
+    Vector3 place;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+    {
+      const int index = at[static_cast<std::size_t>(axis)];
+      const int outwards = index == 0 ? -layer : index == last ? layer : 0;
+      place[axis] = static_cast<double>(index + outwards) / last;
+    }
+    coordinates.push_back(place);
+  }
+  return coordinates;
+}
+
 std::vector<std::size_t>
 boundaryNodes(const HexMesh & mesh)
 {

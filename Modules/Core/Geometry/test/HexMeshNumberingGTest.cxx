@@ -110,6 +110,17 @@ TEST(PaddedLattice, IndicesLeadBackToTheNumbers)
   }
 }
 
+TEST(PaddedLattice, CubeCoordinatesAreThoseOfTheCubeItself)
+{
+  const HexMesh   mesh = paddedCube(5, 2);
+  const Positions coordinates = cubeCoordinates(mesh);
+  ASSERT_EQ(coordinates.size(), mesh.nodes.size());
+  for (std::size_t node = 0; node < coordinates.size(); ++node)
+  {
+    EXPECT_EQ(coordinates[node], mesh.nodes[node] / 4.0);
+  }
+}
+
 TEST(PaddedLattice, PillowCellsStandOnTheFacesInTheirOrder)
 {
   const HexMesh mesh = paddedCube(4, 2);

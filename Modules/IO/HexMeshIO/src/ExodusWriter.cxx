@@ -219,13 +219,10 @@ private:
       const std::vector<int> layers = paddingLayerOfNodes(m_Mesh);
       fields.push_back({ "PaddingLayer", { layers.begin(), layers.end() } });
     }
-    const Positions & cube = m_Content.fields.cubeCoordinates;
-    if (!cube.empty())
-    {
-      fields.push_back({ "CubeCoordinate_X", component(cube, 0) });
-      fields.push_back({ "CubeCoordinate_Y", component(cube, 1) });
-      fields.push_back({ "CubeCoordinate_Z", component(cube, 2) });
-    }
+    const Positions cube = cubeCoordinates(m_Mesh);
+    fields.push_back({ "CubeCoordinate_X", component(cube, 0) });
+    fields.push_back({ "CubeCoordinate_Y", component(cube, 1) });
+    fields.push_back({ "CubeCoordinate_Z", component(cube, 2) });
     return fields;
   }
 

@@ -261,16 +261,14 @@ private:
       }
       m_Text << "$EndNodeData\n";
     }
-    if (!m_Content.fields.cubeCoordinates.empty())
+    const Positions cube = cubeCoordinates(m_Mesh);
+    beginData("NodeData", "CubeCoordinate", 3, cube.size());
+    for (std::size_t node = 0; node < cube.size(); ++node)
     {
-      beginData("NodeData", "CubeCoordinate", 3, m_Mesh.nodes.size());
-      for (std::size_t node = 0; node < m_Mesh.nodes.size(); ++node)
-      {
-        m_Text << node + 1 << ' ';
-        m_Text.position(m_Content.fields.cubeCoordinates[node], " ") << '\n';
-      }
-      m_Text << "$EndNodeData\n";
+      m_Text << node + 1 << ' ';
+      m_Text.position(cube[node], " ") << '\n';
     }
+    m_Text << "$EndNodeData\n";
     writeCellData("Shell", m_Content.shell);
     writeCellData("VolumeRatio", m_Content.volumeRatio);
     writeCellData("ScaledJacobian", m_Content.fields.scaledJacobian);

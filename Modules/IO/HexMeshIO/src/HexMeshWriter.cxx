@@ -43,10 +43,6 @@ checkedVolumeRatios(const HexMesh & mesh, const HexMeshFields & fields)
   {
     requireSize("labels", fields.label.size(), mesh.cellCount());
   }
-  if (!fields.cubeCoordinates.empty())
-  {
-    requireSize("cube coordinates", fields.cubeCoordinates.size(), mesh.nodes.size());
-  }
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
   {
     if (!mesh.nodes[node].allFinite())

@@ -102,10 +102,7 @@ makeGrid(const HexMeshContent & content)
   {
     grid->GetPointData()->AddArray(integerArray("PaddingLayer", paddingLayerOfNodes(mesh)));
   }
-  if (!fields.cubeCoordinates.empty())
-  {
-    grid->GetPointData()->AddArray(vectorArray("CubeCoordinate", fields.cubeCoordinates));
-  }
+  grid->GetPointData()->AddArray(vectorArray("CubeCoordinate", cubeCoordinates(mesh)));
   grid->GetCellData()->AddArray(integerArray("Shell", content.shell));
   grid->GetCellData()->AddArray(scalarArray("VolumeRatio", content.volumeRatio));
   if (!fields.scaledJacobian.empty())

@@ -48,7 +48,6 @@ someFields(const HexMesh & mesh)
     fields.scaledJacobian.push_back(1.0 / static_cast<double>(cell + 3));
     fields.label.push_back(static_cast<std::int32_t>(cell % 5));
   }
-  fields.cubeCoordinates = mesh.nodes;
   return fields;
 }
 

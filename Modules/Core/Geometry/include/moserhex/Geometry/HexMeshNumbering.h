@@ -18,6 +18,11 @@ struct NodeIndex
 [[nodiscard]] std::vector<NodeIndex>
 nodeIndices(const HexMesh & mesh);
 
+/** Of every node in the cube [0,1]^3: (i, j, k) / (n-1). Layer l of the padding lies outside, l / (n-1) further out
+ * along every axis at whose end the node is [1]. */
+[[nodiscard]] Positions
+cubeCoordinates(const HexMesh & mesh);
+
 /** Nodes on the boundary of the mesh: of its outermost layer of padding, or of the lattice where there is none.
  * Ascending, B = n^3 - (n-2)^3 of them. */
 [[nodiscard]] std::vector<std::size_t>

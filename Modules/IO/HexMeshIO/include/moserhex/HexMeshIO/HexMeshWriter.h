@@ -13,8 +13,7 @@ namespace moserhex
 /** What is written beside the mesh. LatticeIndex (node), Shell and VolumeRatio (cell) are always there. */
 struct HexMeshFields
 {
-  std::vector<double> scaledJacobian;  ///< per cell, written as ScaledJacobian; empty: left out
-  Positions           cubeCoordinates; ///< per node on [-1,1]^3, written as CubeCoordinate; empty: left out
+  std::vector<double> scaledJacobian; ///< per cell, written as ScaledJacobian; empty: left out
 
   std::vector<std::int32_t> label; ///< per cell, written as Label; empty: left out
 };
