@@ -68,11 +68,12 @@ padded(const HexMesh & lattice, int layers)
 }
 
 EqualisationOptions
-paddingOptions(EqualisationOptions options)
+paddingOptions(EqualisationOptions options, PaddingAngles angles)
 {
+  const bool isStrong = angles == PaddingAngles::Strong;
   options.nodesPerSide = 0;
-  options.directStages = { { 0.05, 20.0, 80.0, 60, 1, 0.0 }, { 0.02, 50.0, 80.0, 90, 1, 40.0 } };
-  options.angleWeight = 60.0;
+  options.directStages = { { 0.05, 20.0, 80.0, 60, 1, 0.0 }, { 0.02, 50.0, 80.0, 90, 1, isStrong ? 40.0 : 20.0 } };
+  options.angleWeight = isStrong ? 60.0 : 0.0;
   options.polishRounds = 16;
   options.narrowScaledJacobian = 0.3;
   return options;

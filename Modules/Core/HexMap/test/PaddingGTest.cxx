@@ -92,6 +92,22 @@ TEST(Padding, BallAndBananaBecomeExactWithWideCorners)
   }
 }
 
+TEST(Padding, AnglesCountAsMuchAsTheyAreAskedTo)
+{
+  const HexMesh lattice = equaliseVolumes(ball.lattice(5), ball.distance(), ball.volume()).mesh;
+  const auto    meanScaledJacobian = [&](const EqualisationOptions & options) {
+    const HexMesh mesh = equaliseVolumes(padded(lattice, 1), ball.distance(), ball.volume(), options).mesh;
+    return summarizeQuality(mesh).scaledJacobian.mean;
+  };
+  const double        strong = meanScaledJacobian(paddingOptions({}));
+  const double        weak = meanScaledJacobian(paddingOptions({}, PaddingAngles::Weak));
+  EqualisationOptions without = paddingOptions({}, PaddingAngles::Weak);
+  without.directStages.back().angleWeight = 0.0;
+  const double none = meanScaledJacobian(without);
+  EXPECT_GT(strong, weak);
+  EXPECT_GT(weak, none);
+}
+
 TEST(Padding, IsTheSameForAnyNumberOfThreads)
 {
   const EqualisationResult one = equalisedWithPadding(ball, 7, 1, 1);

@@ -238,18 +238,32 @@ makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressC
 void
 padExactly(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
 {
+  constexpr double          wantedScaledJacobian = 0.2; // below it the other weight of angles is tried, too
   const bool                hasDensity = stage.options.density != nullptr;
   const MeshedSolid         solid(stage, result);
-  const EqualisationOptions options = paddingOptions(equalisationOptions(stage.options));
-  keep(equaliseVolumes(padded(result.mesh, stage.options.paddingLayers),
-                       solid.distance(),
-                       stage.volume,
-                       options,
-                       progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0)),
-       result);
+  const EqualisationOptions own = equalisationOptions(stage.options);
+  const HexMesh             start = padded(result.mesh, stage.options.paddingLayers);
+  const ProgressCallback    ofVolumes = progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0);
+  const auto                padWith = [&](PaddingAngles angles, double from, double to) {
+    return equaliseVolumes(
+      start, solid.distance(), stage.volume, paddingOptions(own, angles), progressBetween(ofVolumes, from, to));
+  };
+  PaddingAngles      angles = PaddingAngles::Strong;
+  EqualisationResult best = padWith(angles, 0.0, 0.5);
+  if (!best.exact || best.smallestScaledJacobian < wantedScaledJacobian)
+  {
+    EqualisationResult other = padWith(PaddingAngles::Weak, 0.5, 1.0);
+    if (std::make_pair(other.exact, other.smallestScaledJacobian) >
+        std::make_pair(best.exact, best.smallestScaledJacobian))
+    {
+      angles = PaddingAngles::Weak;
+      best = std::move(other);
+    }
+  }
+  keep(std::move(best), result);
   if (hasDensity)
   {
-    equaliseMasses(stage, options, result, progressBetween(progress, 0.5, 1.0));
+    equaliseMasses(stage, paddingOptions(own, angles), result, progressBetween(progress, 0.5, 1.0));
   }
 }
 

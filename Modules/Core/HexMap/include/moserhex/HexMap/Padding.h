@@ -23,9 +23,16 @@ namespace moserhex
 [[nodiscard]] HexMesh
 padded(const HexMesh & lattice, int layers);
 
+/** How much right angles count. */
+enum class PaddingAngles
+{
+  Strong, ///< in all that is done
+  Weak    ///< half as much while minimising, not while repairing or polishing: for shapes that need all freedom
+};
+
 /** Options for equalising such a start: the scaled Jacobians of the corners count besides the mean ratio, which trades
  * right angles for edges of equal length. The sizes, tolerances and threads are those given. */
 [[nodiscard]] EqualisationOptions
-paddingOptions(EqualisationOptions options);
+paddingOptions(EqualisationOptions options, PaddingAngles angles = PaddingAngles::Strong);
 
 } // namespace moserhex
