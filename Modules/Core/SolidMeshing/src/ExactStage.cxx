@@ -245,8 +245,14 @@ padExactly(const ExactStage & stage, SolidMeshingResult & result, const Progress
   const HexMesh             start = padded(result.mesh, stage.options.paddingLayers);
   const ProgressCallback    ofVolumes = progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0);
   const auto                padWith = [&](PaddingAngles angles, double from, double to) {
-    return equaliseVolumes(
+    EqualisationResult padding = equaliseVolumes(
       start, solid.distance(), stage.volume, paddingOptions(own, angles), progressBetween(ofVolumes, from, to));
+    std::ostringstream attempt;
+    attempt << (angles == PaddingAngles::Strong ? "padding: " : "padding, angles count less: ")
+            << (padding.exact ? "exact" : "not exact") << ", scaled Jacobian at least "
+            << padding.smallestScaledJacobian;
+    result.attempts.push_back(attempt.str());
+    return padding;
   };
   PaddingAngles      angles = PaddingAngles::Strong;
   EqualisationResult best = padWith(angles, 0.0, 0.5);

@@ -314,12 +314,17 @@ private:
   void
   pad()
   {
-    const ExactStage stage{ m_PhiAt, m_Volume, m_Options, m_Surfaces.back(), m_Maps.back(), {} };
+    const ExactStage  stage{ m_PhiAt, m_Volume, m_Options, m_Surfaces.back(), m_Maps.back(), {} };
+    const std::size_t attemptsBefore = m_Result.attempts.size();
     padExactly(stage, m_Result, progressBetween(m_Progress, afterExact, 1.0));
     std::ostringstream note;
     note << m_Options.paddingLayers << (m_Options.paddingLayers == 1 ? " layer, " : " layers, ")
          << m_Result.equalisation->report.steps << " steps, "
          << (m_Result.equalisation->uncertifiedCells == 0 ? "certified" : "not certified");
+    for (std::size_t attempt = attemptsBefore; attempt < m_Result.attempts.size(); ++attempt)
+    {
+      note << "; " << m_Result.attempts[attempt];
+    }
     m_Log.add("padding", m_Result.mesh, note.str());
   }
 

@@ -268,6 +268,8 @@ TEST(MeshSolid, PaddingFollowsTheExactStage)
   EXPECT_EQ(result.mesh.nodesPerSide, 8);
   EXPECT_TRUE(result.equalisation->exact);
   EXPECT_EQ(result.stages.back().name, "padding");
+  EXPECT_EQ(result.attempts.back().find("padding: exact"), 0u) << result.attempts.back();
+  EXPECT_NE(result.stages.back().note.find(result.attempts.back()), std::string::npos);
   EXPECT_LE(result.boundary.maximum, 0.5);
   const HexQualitySummary & lattice = *result.stages[result.stages.size() - 2].quality;
   const HexQualitySummary & withPadding = *result.stages.back().quality;
