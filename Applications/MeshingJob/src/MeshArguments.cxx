@@ -1,11 +1,30 @@
 #include "MeshArguments.h"
 
+#include "CommandErrors.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
 namespace moserhex::app
 {
+namespace
+{
+
+/** With as many digits as it takes to read the same number. */
+std::string
+exactText(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
+  return text.str();
+}
+
+} // namespace
 
 void
 addSolidOptions(CLI::App & command, InputOptions & options)
@@ -71,6 +90,93 @@ addMeshingOptions(CLI::App & command, MeshCommandOptions & options)
       "--shell-method", options.shellMethod, "How the shells are found; auto: eikonal for the fast way, else chan-vese")
     ->check(CLI::IsMember(shellMethodNames))
     ->capture_default_str();
+}
+
+const std::vector<std::string> &
+meshingOptionNames()
+{
+  static const std::vector<std::string> names = [] {
+    CLI::App           command;
+    MeshCommandOptions options;
+    addMeshingOptions(command, options);
+    std::vector<std::string> all;
+    for (const CLI::Option * option : command.get_options([](const CLI::Option *) { return true; }))
+    {
+      const std::vector<std::string> & ofOption = option->get_lnames();
+      if (!ofOption.empty() && ofOption.front() != "help")
+      {
+        all.push_back(ofOption.front());
+      }
+    }
+    return all;
+  }();
+  return names;
+}
+
+void
+setMeshingOptions(const std::vector<std::pair<std::string, std::string>> & values, MeshCommandOptions & options)
+{
+  const std::vector<std::string> & names = meshingOptionNames();
+  std::vector<std::string>         arguments;
+  for (const auto & [name, value] : values)
+  {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+      throw UsageError("no option of mesh is called " + oneLine(name, 60));
+    }
+    arguments.push_back("--" + name + "=" + value);
+  }
+  std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the end
+  CLI::App command;
+  addMeshingOptions(command, options);
+  try
+  {
+    command.parse(arguments);
+  }
+  catch (const CLI::ParseError & error)
+  {
+    throw UsageError(oneLine(error.what(), 120));
+  }
+  requireUsable(options);
+}
+
+std::vector<std::string>
+meshingArguments(const MeshCommandOptions & options)
+{
+  std::vector<std::string> arguments;
+  const auto               add = [&arguments](const std::string & name, const std::string & value) {
+    arguments.push_back("--" + name + "=" + value);
+  };
+  add("shells", std::to_string(options.shells));
+  add("padding", std::to_string(options.padding));
+  if (options.input.label)
+  {
+    add("label", std::to_string(*options.input.label));
+  }
+  if (options.input.segment)
+  {
+    add("segment", *options.input.segment);
+  }
+  if (options.input.threshold)
+  {
+    add("threshold", exactText(*options.input.threshold));
+  }
+  add("no-sandbox", options.input.sandbox ? "false" : "true");
+  add("topology", options.topology);
+  add("max-repair", exactText(options.maximumRepairPercent));
+  add("stage", options.stage);
+  if (options.way)
+  {
+    add("way", *options.way);
+  }
+  add("frame", options.frame);
+  if (!options.density.empty())
+  {
+    add("density", options.density);
+  }
+  add("allow-partial", options.allowPartial ? "true" : "false");
+  add("shell-method", options.shellMethod);
+  return arguments;
 }
 
 } // namespace moserhex::app

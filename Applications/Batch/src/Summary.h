@@ -1,0 +1,85 @@
+#pragma once
+
+#include "CaseList.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace moserhex::app
+{
+
+enum class CaseStatus
+{
+  Done,   ///< the mesh and its report are there
+  Failed, ///< the report says why there is no mesh
+  Missing ///< no report, or one that does not fit: not run, or its process was killed before it could write one
+};
+
+/** "done", "failed", "missing". */
+[[nodiscard]] const char *
+nameOf(CaseStatus status);
+
+/** One case, as its report tells. Numbers that the report does not have are NaN. */
+struct SummaryRow
+{
+  std::string                   name; ///< of the case
+  CaseStatus                    status{ CaseStatus::Missing };
+  std::string                   code;    ///< E_TOPOLOGY and so on; empty where done or missing
+  std::string                   message; ///< of a failure
+  std::string                   input;
+  std::string                   labels; ///< "3", "1 2"
+  std::string                   labelName;
+  std::map<std::string, double> figures; ///< by the name of the column; see summaryFigures
+  std::vector<std::string>      kept;
+};
+
+/** The names of the columns with numbers, in their order: nodes, cells, label_volume_mm3, mesh_volume_mm3,
+ * volume_variance, concave_percent, sj_min, sj_median, exact (1 or 0), certified (1 or 0), surface_rms_mm,
+ * surface_max_mm, repair_percent, warnings, seconds, peak_memory_mib. */
+[[nodiscard]] const std::vector<std::string> &
+summaryFigures();
+
+/** Reads the reports of cases, in parallel; rows in the order of the cases.
+ * A report counts only if it names the case's input and, when done, the mesh is there. */
+[[nodiscard]] std::vector<SummaryRow>
+summarise(const CaseList & list, unsigned int threads);
+
+/** How many of what, and quantiles of the figures over the cases that are done. */
+struct GroupFigures
+{
+  struct Distribution
+  {
+    std::size_t count{ 0 };
+    double      minimum{ 0.0 };
+    double      p05{ 0.0 };
+    double      median{ 0.0 };
+    double      p95{ 0.0 };
+    double      maximum{ 0.0 };
+    double      mean{ 0.0 };
+  };
+  std::size_t                         done{ 0 };
+  std::size_t                         failed{ 0 };
+  std::size_t                         missing{ 0 };
+  std::map<std::string, std::size_t>  failures;            ///< by code
+  std::map<std::string, Distribution> figures;             ///< by the name of the column
+  double                              totalSeconds{ 0.0 }; ///< of all cases, failed ones too
+};
+
+[[nodiscard]] GroupFigures
+groupFigures(const std::vector<SummaryRow> & rows);
+
+/** Writes the table, one row a case: case, status, code, message, input, labels, label_name, the figures, the kept
+ * columns. Complete or not at all. \throws IOError */
+void
+writeSummaryTable(const std::string &              fileName,
+                  const std::vector<SummaryRow> &  rows,
+                  const std::vector<std::string> & keptColumns);
+
+/** Writes the group's figures as JSON. \throws IOError */
+void
+writeGroupFigures(const std::string & fileName, const GroupFigures & figures);
+
+} // namespace moserhex::app

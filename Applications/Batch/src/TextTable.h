@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace moserhex::app
+{
+
+/** A table in a text file. */
+struct TextTable
+{
+  struct Row
+  {
+    std::size_t              line{ 0 }; ///< of the file, from 1
+    std::vector<std::string> cells;     ///< as many as there are columns
+  };
+
+  std::vector<std::string> columns;
+  std::vector<Row>         rows;
+};
+
+/** Reads a table with a first line of column names: .csv by RFC 4180, separated by commas, or by semicolons where the
+ * first line has those and no comma; .tsv separated by tabs. UTF-8 with or without a byte order mark; lines end in LF
+ * or CRLF; blank lines do not count; blanks around a cell are cut unless it is quoted.
+ * \throws BadInput  missing; no column names or the same one twice; a row with other than so many cells, a quote that
+ * is not closed or a zero byte, with the number of the line */
+[[nodiscard]] TextTable
+readTextTable(const std::string & fileName);
+
+/** One line of a table, with its end. Cells are quoted where they must be; where a spreadsheet would take a cell for a
+ * formula (it begins with = + - @, a tab or a carriage return, and is not a number), an apostrophe is put before it.
+ * \param separator  ',' or '\t' */
+[[nodiscard]] std::string
+tableLine(const std::vector<std::string> & cells, char separator);
+
+} // namespace moserhex::app
