@@ -145,6 +145,10 @@ sha256OfInputs(const MeshCommandOptions & options)
     {
       text += sha256OfInput(options.density);
     }
+    if (!options.templateMesh.empty())
+    {
+      text += sha256OfInput(options.templateMesh);
+    }
     return sha256OfText(text);
   }
   catch (const Error &)

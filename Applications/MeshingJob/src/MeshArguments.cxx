@@ -80,6 +80,14 @@ addMeshingOptions(CLI::App & command, MeshCommandOptions & options)
                 "them so that its edges leave hollows")
     ->check(CLI::IsMember(frameNames))
     ->capture_default_str();
+  command.add_option(
+    "--template",
+    options.templateMesh,
+    "Mesh of as many shells that this one is to be like: the same place of the organ at the same lattice "
+    "index; needs --stage exact");
+  command.add_option("--align", options.align, "How the template is brought to the label before it is bent")
+    ->check(CLI::IsMember(alignNames))
+    ->capture_default_str();
   command.add_option("--density",
                      options.density,
                      "Positive image: every cell gets the same mass, not volume; around the label it does not count; "
@@ -170,6 +178,11 @@ meshingArguments(const MeshCommandOptions & options)
     add("way", *options.way);
   }
   add("frame", options.frame);
+  if (!options.templateMesh.empty())
+  {
+    add("template", options.templateMesh);
+    add("align", options.align);
+  }
   if (!options.density.empty())
   {
     add("density", options.density);

@@ -29,7 +29,7 @@ requireUsableNames(const MeshCommandOptions & options)
 {
   requireHexMeshName(options.output);
   requireUsable(options);
-  for (const std::string & input : { options.density, options.input.file })
+  for (const std::string & input : { options.density, options.templateMesh, options.input.file })
   {
     requireKept(input, options.output);
     requireKept(input, options.reportFile);
@@ -92,6 +92,10 @@ makeMesh(const MeshCommandOptions &                       options,
     density = readScalarImage(options.density, { options.input.sandbox });
     report.density = RunReport::Density{ options.density, sha256OfInput(options.density) };
     report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
+  }
+  if (report.templateMesh)
+  {
+    report.templateMesh->sha256 = sha256OfInput(options.templateMesh);
   }
   say("meshing " + meshed.solid.name());
   meshed.pipeline = runPipeline(meshed.solid, density.image.GetPointer(), options, progress);

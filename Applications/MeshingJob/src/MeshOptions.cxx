@@ -33,6 +33,7 @@ requireUsable(const MeshCommandOptions & options)
   requireOneOf("--stage", options.stage, stageNames);
   requireOneOf("--way", wayOf(options), wayNames);
   requireOneOf("--frame", options.frame, frameNames);
+  requireOneOf("--align", options.align, alignNames);
   requireOneOf("--topology", options.topology, topologyNames);
   requireOneOf("--shell-method", options.shellMethod, shellMethodNames);
   if (options.shells < fewestShells || options.shells > mostShells)
@@ -55,6 +56,11 @@ requireUsable(const MeshCommandOptions & options)
   if (!options.density.empty() && options.stage != "exact")
   {
     throw UsageError("--density needs --stage exact");
+  }
+  if (!options.templateMesh.empty() && (options.stage != "exact" || options.padding > 0 || !options.density.empty() ||
+                                        options.way || options.frame != "anatomical"))
+  {
+    throw UsageError("--template needs --stage exact, and takes no --padding, --density, --way or --frame");
   }
   if (options.way && options.stage != "exact")
   {

@@ -47,6 +47,13 @@ describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageRe
   report.mesh.nodes = result.mesh.nodes.size();
   report.mesh.cells = result.mesh.cellCount();
   report.surface = RunReport::Surface{ result.boundary.rms, result.boundary.maximum };
+  if (result.alignment && report.templateMesh)
+  {
+    report.templateMesh->angle = result.alignment->motion.angle();
+    report.templateMesh->translation = result.alignment->shift;
+    report.templateMesh->rmsBefore = result.alignment->rmsBefore;
+    report.templateMesh->rmsAfter = result.alignment->rmsAfter;
+  }
   if (result.frame)
   {
     report.frame = RunReport::Frame{ result.frame->angle, result.frame->before.score, result.frame->after.score };
@@ -79,6 +86,11 @@ startReport(const MeshCommandOptions & options)
   report.parameters.way = options.stage == "exact" ? wayOf(options) : "";
   report.parameters.frame = options.frame;
   report.parameters.density = options.density;
+  if (!options.templateMesh.empty())
+  {
+    report.templateMesh = RunReport::Template{};
+    report.templateMesh->file = options.templateMesh;
+  }
   report.parameters.topology = options.topology;
   report.parameters.maximumRepair = options.maximumRepairPercent;
   report.parameters.threshold = options.input.threshold;

@@ -1,6 +1,7 @@
 #include "MeshRun.h"
 
 #include "CommandErrors.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
 
 #include <map>
 #include <new>
@@ -57,6 +58,21 @@ remedyForSolid(const ChosenSolid & solid, const MeshCommandOptions & options, Er
   return code == ErrorCode::Thin ? "use a finer image" : "correct the label in an editor";
 }
 
+HexMesh
+readTemplate(const MeshCommandOptions & options)
+{
+  HexMesh mesh = readHexMesh(options.templateMesh, { options.input.sandbox });
+  if (mesh.nodesPerSide != 2 * options.shells || mesh.paddingLayers > 0)
+  {
+    throw BadInput(ErrorCode::NotHexahedra,
+                   options.templateMesh,
+                   "a template of " + std::to_string(mesh.nodesPerSide) + " nodes a side and " +
+                     std::to_string(mesh.paddingLayers) + " layers of padding",
+                   "give one of --shells " + std::to_string(options.shells) + " without padding");
+  }
+  return mesh;
+}
+
 } // namespace
 
 PipelineType::Pointer
@@ -76,6 +92,11 @@ runPipeline(const ChosenSolid &        solid,
   filter->SetAllowPartial(options.allowPartial);
   filter->SetFrame(options.frame == "ridge" ? LatticeFrame::Ridge : LatticeFrame::Anatomical);
   filter->SetPaddingLayers(options.padding);
+  if (!options.templateMesh.empty())
+  {
+    filter->SetTemplateMesh(readTemplate(options));
+    filter->SetTemplateAlignment(options.align == "none" ? TemplateAlignment::None : TemplateAlignment::Rigid);
+  }
   filter->SetDensityImage(density);
   if (options.shellMethod != "auto")
   {

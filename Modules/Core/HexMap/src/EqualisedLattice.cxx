@@ -73,6 +73,11 @@ EqualisedLattice::makeOptimiser() const
                              static_cast<double>(mesh().cellCount()),
                              m_Problem.options.threads);
   optimiser.attraction().setLevel(m_State.level / edge);
+  if (!m_Problem.options.reference.empty())
+  {
+    optimiser.setReference(latticeVector(optimiser.layout(), m_Problem.options.reference, m_Origin, edge),
+                           m_Problem.options.referenceWeight);
+  }
   return optimiser;
 }
 

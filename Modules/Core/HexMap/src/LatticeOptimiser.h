@@ -65,6 +65,10 @@ public:
   void
   setCornerBarrier(std::vector<std::size_t> cells, double goal, double weight);
 
+  /** Positions that the lattice is not to be bent against (DisplacementEnergy.h); weight 0: none. */
+  void
+  setReference(Eigen::VectorXd reference, double weight);
+
   /** E and its gradient at x. */
   [[nodiscard]] double
   energy(const Eigen::VectorXd & x, const EqualisationStage & stage, Eigen::VectorXd & gradient) const;
@@ -89,6 +93,8 @@ private:
   std::vector<std::size_t> m_CornerCells;
   double                   m_CornerGoal{ 1.0 };
   double                   m_CornerWeight{ 0.0 };
+  Eigen::VectorXd          m_Reference;
+  double                   m_ReferenceWeight{ 0.0 };
 };
 
 } // namespace moserhex

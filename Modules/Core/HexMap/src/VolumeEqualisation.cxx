@@ -137,6 +137,11 @@ equaliseMeasures(const HexMesh &             start,
   const bool isPadded = start.paddingLayers > 0;
   require(n >= start.nodesPerSide, "the lattice wanted is coarser than the one given");
   require(!isPadded || n == start.nodesPerSide, "a mesh with padding is not refined");
+  const bool isTied = !options.reference.empty();
+  const bool keepsSize = isPadded || isTied;
+  require(!isTied || (!isPadded && n == start.nodesPerSide && options.reference.size() == start.nodes.size()),
+          "a reference must have as many nodes as the start, which is neither padded nor refined");
+  require(options.referenceWeight >= 0.0, "the weight of the reference must not be negative");
 
   const Stopwatch           stopwatch;
   const EqualisationProblem problem{
@@ -156,9 +161,9 @@ equaliseMeasures(const HexMesh &             start,
   };
   if (n == start.nodesPerSide && !result.exact)
   {
-    keepBetter(equalisedDirectly(start, problem, progressBetween(progress, 0.0, isPadded ? 1.0 : 0.5)));
+    keepBetter(equalisedDirectly(start, problem, progressBetween(progress, 0.0, keepsSize ? 1.0 : 0.5)));
   }
-  if (n > start.nodesPerSide || (!result.exact && n > coarse && !isPadded))
+  if (n > start.nodesPerSide || (!result.exact && n > coarse && !keepsSize))
   {
     const std::vector<int> levels = refinementLevels(n > start.nodesPerSide ? start.nodesPerSide : coarse, n);
     const double           begin = n > start.nodesPerSide ? 0.0 : 0.5;

@@ -2,9 +2,9 @@
 
 #include "BoundaryProjection.h"
 #include "ExactStage.h"
+#include "StageLog.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
-#include "moserhex/Common/Stopwatch.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
 #include "moserhex/LevelSet/ShellOrdering.h"
 #include "moserhex/SolidMeshing/ShellFrames.h"
@@ -51,33 +51,6 @@ describe(const std::vector<AreaPreservingMapResult> & maps)
   text << flips << " flipped triangles, area ratio rms at most " << rms;
   return text.str();
 }
-
-/** Keeps the time and the mesh quality of the stages. */
-class StageLog
-{
-public:
-  explicit StageLog(std::vector<MeshingStageReport> & stages) : m_Stages(stages)
-  {}
-
-  void
-  add(const std::string & name, const std::string & note = {})
-  {
-    m_Stages.push_back({ name, m_Stopwatch.seconds(), {}, note });
-    m_Stopwatch = {};
-  }
-
-  void
-  add(const std::string & name, const HexMesh & mesh, const std::string & note = {})
-  {
-    const double seconds = m_Stopwatch.seconds();
-    m_Stages.push_back({ name, seconds, summarizeQuality(mesh), note });
-    m_Stopwatch = {};
-  }
-
-private:
-  std::vector<MeshingStageReport> & m_Stages;
-  Stopwatch                         m_Stopwatch;
-};
 
 /** One run of the chain: what a stage leaves for those after it. */
 class Chain

@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace itk
 {
@@ -82,6 +83,23 @@ public:
   /** L, layers of pillow cells around the lattice, for finite elements: no cell is left with two faces on the surface.
    * Default 0. Only with the last stage Exact. */
   itkOptionMacro(PaddingLayers, int, paddingLayers);
+
+  /** A lattice of as many shells that the mesh is to be like, node by node, in place of stages B to I: see
+   * moserhex::meshOnTemplate. By default there is none. Only with the last stage Exact, without padding and density. */
+  void
+  SetTemplateMesh(std::optional<moserhex::HexMesh> mesh)
+  {
+    m_Options.templateMesh = std::move(mesh);
+    this->Modified();
+  }
+  const std::optional<moserhex::HexMesh> &
+  GetTemplateMesh() const
+  {
+    return m_Options.templateMesh;
+  }
+
+  /** How the template is brought to the label: Rigid (default) or None. */
+  itkOptionMacro(TemplateAlignment, moserhex::TemplateAlignment, templateAlignment);
 
   /** A positive density on the label's space: cells get equal masses instead of equal volumes. The grid may differ from
    * the label's. Optional; only with the last stage Exact. */
@@ -222,6 +240,10 @@ private:
    * it never takes an exact mesh away; of meshes that are not exact the better one is kept. */
   moserhex::SolidMeshingResult
   MeshFromBestShells(const moserhex::SolidMeshingOptions & options, const moserhex::LevelSet & phi);
+
+  /** Tied to the template. */
+  moserhex::SolidMeshingResult
+  MeshOnTemplate(const moserhex::LevelSet & phi);
 
   void
   PutDensityOnLabel(const moserhex::LabelVolume & label);

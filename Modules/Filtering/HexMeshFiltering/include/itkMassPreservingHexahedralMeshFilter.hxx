@@ -200,6 +200,22 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(
 }
 
 template <typename TLabelImage, typename TMesh>
+moserhex::SolidMeshingResult
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshOnTemplate(const moserhex::LevelSet & phi)
+{
+  moserhex::SolidMeshingOptions options = m_Options;
+  options.threads = this->GetNumberOfWorkUnits();
+  options.density = m_LabelDensity ? &m_LabelDensity->density : options.density;
+  return RunCoreAlgorithm(
+    this,
+    [&](const moserhex::ProgressCallback & progress) {
+      return moserhex::meshOnTemplate(phi, m_LabelVolume, options, progress);
+    },
+    afterConditioning,
+    1.0);
+}
+
+template <typename TLabelImage, typename TMesh>
 void
 MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::PutDensityOnLabel(const moserhex::LabelVolume & label)
 {
@@ -238,9 +254,16 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   const moserhex::LevelSet phi = LevelSetFromImage(conditioning->GetOutput());
   this->PutDensityOnLabel(conditioning->GetRepairedLabel());
   m_SimplerReport.reset();
-  const moserhex::SolidMeshingOptions options = this->OptionsWithSimplerSolid(conditioning->GetRepairedLabel());
-  const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
-  m_Result = mayChangeShells ? this->MeshFromBestShells(options, phi) : this->MeshFromUsualShells(options, phi);
+  if (m_Options.templateMesh)
+  {
+    m_Result = this->MeshOnTemplate(phi);
+  }
+  else
+  {
+    const moserhex::SolidMeshingOptions options = this->OptionsWithSimplerSolid(conditioning->GetRepairedLabel());
+    const bool mayChangeShells = !m_ShellMethod && this->GetShellMethod() != ShellMethod::ChanVese;
+    m_Result = mayChangeShells ? this->MeshFromBestShells(options, phi) : this->MeshFromUsualShells(options, phi);
+  }
 
   moserhex::MeshingStageReport conditioningStage{ "conditioning", conditioningSeconds, {}, {} };
   if (m_Result.simplerSolid)

@@ -188,6 +188,15 @@ toJson(const RunReport & report)
   {
     json["surface"] = { { "rms_mm", report.surface->rms }, { "max_mm", report.surface->maximum } };
   }
+  if (report.templateMesh)
+  {
+    json["template"] = { { "file", report.templateMesh->file },
+                         { "sha256", report.templateMesh->sha256 },
+                         { "turned_degrees", report.templateMesh->angle },
+                         { "moved_mm", report.templateMesh->translation },
+                         { "surface_rms_before_mm", report.templateMesh->rmsBefore },
+                         { "surface_rms_after_mm", report.templateMesh->rmsAfter } };
+  }
   if (report.frame)
   {
     json["frame"] = { { "turned_degrees", report.frame->angle },

@@ -50,6 +50,11 @@ struct EqualisationOptions
    * bumps smaller than a cell are cut off. In edges of a mean cell [1]. */
   double coverageTolerance{ 1.0 };
 
+  /** Positions of the nodes of another mesh, which this one is to be like: n^3 of them, as many as the start has, which
+   * is then neither refined nor taken back to a coarse lattice; no padding. Empty: none [mm]. */
+  Positions reference;
+  double    referenceWeight{ 1.0 }; ///< w_r, with a reference [1]
+
   EqualMeasureOptions projection; ///< its thread count is replaced by `threads`
   unsigned int        threads{ 0 };
 };
@@ -95,6 +100,7 @@ tangledCells(int nodesPerSide);
  * 1. Untangles, smooths and equalises together: L-BFGS on
  *      E(x) = sum over cells of [ 1/8 sum over corners of (f^p + w_a (1 - q)^2) + w_v/2 (v / v* - 1)^2 ]
  *           + w_s/2 sum of (s(x) - c)^2
+ *           + w_r/2 sum over edges (a, b) of |u_a - u_b|^2,  u = x - reference, with a reference
  *    f the regularised mean ratio, q the scaled Jacobian of a corner, s the signed distance of boundary nodes and quad
  * centres in cell edges, which slide freely; the inverse of the lattice Laplacian by cosine transforms stands in for
  * the inverse Hessian. From the lattice given through ever finer ones, prolonged by cubics. Points of the surface that

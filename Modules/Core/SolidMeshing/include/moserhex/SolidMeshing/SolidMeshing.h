@@ -10,6 +10,7 @@
 #include "moserhex/LevelSet/LabelConditioning.h"
 #include "moserhex/LevelSet/ShellSurfaces.h"
 #include "moserhex/Quality/HexQuality.h"
+#include "moserhex/SolidMeshing/SurfaceAlignment.h"
 #include "moserhex/SphericalMap/AreaPreservingMap.h"
 
 #include <functional>
@@ -43,6 +44,13 @@ enum class LatticeFrame
   Ridge       ///< turned a little so that the cube's edges leave hollows and follow ridges
 };
 
+/** How a template is brought to a solid before its nodes are moved. */
+enum class TemplateAlignment
+{
+  None, ///< it lies where it belongs, for example in the same scan
+  Rigid ///< by alignToSurface
+};
+
 struct SolidMeshingOptions
 {
   int                 shells{ 10 }; ///< N; the lattice has 2N nodes a side
@@ -72,6 +80,10 @@ struct SolidMeshingOptions
   /** L, layers of pillow cells around the lattice after stage J, all cells of lattice and layers equal (Padding.h).
    * Only with the last stage Exact; refused otherwise. */
   int paddingLayers{ 0 };
+
+  /** A lattice of N shells that the mesh is to be like, node by node: see meshOnTemplate. Empty: none. */
+  std::optional<HexMesh> templateMesh;
+  TemplateAlignment      templateAlignment{ TemplateAlignment::Rigid };
 
   /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
    * null: volumes. Only with the last stage Exact; refused otherwise. */
@@ -118,19 +130,20 @@ struct MassReport
 
 struct SolidMeshingResult
 {
-  HexMesh                              mesh;       ///< of the last stage, with its padding
-  std::vector<MeshingStageReport>      stages;     ///< in order of execution
-  ShellSurfacesSummary                 shells;     ///< stage C
-  std::vector<AreaPreservingMapResult> sphereMaps; ///< entry k-1 for shell k; positions are emptied
-  BoundaryDistance                     boundary;
-  std::optional<FramePlacementResult>  frame;        ///< of LatticeFrame::Ridge
-  std::optional<LevelSet>              simplerSolid; ///< the solid that was meshed when it is not phi
-  std::string                          turnWarning;  ///< which of the fallback turns was used; empty: none
-  std::vector<std::string>             attempts;     ///< of stage J, in order, and what came of each
-  bool                                 exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
-  std::optional<MassReport>            mass;                         ///< with a density
-  std::optional<EqualisationResult>    equalisation;                 ///< stage J; its mesh is emptied
-  std::vector<std::string>             warnings;
+  HexMesh                               mesh;       ///< of the last stage, with its padding
+  std::vector<MeshingStageReport>       stages;     ///< in order of execution
+  ShellSurfacesSummary                  shells;     ///< stage C
+  std::vector<AreaPreservingMapResult>  sphereMaps; ///< entry k-1 for shell k; positions are emptied
+  BoundaryDistance                      boundary;
+  std::optional<FramePlacementResult>   frame;        ///< of LatticeFrame::Ridge
+  std::optional<SurfaceAlignmentResult> alignment;    ///< of a template
+  std::optional<LevelSet>               simplerSolid; ///< the solid that was meshed when it is not phi
+  std::string                           turnWarning;  ///< which of the fallback turns was used; empty: none
+  std::vector<std::string>              attempts;     ///< of stage J, in order, and what came of each
+  bool                                  exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
+  std::optional<MassReport>             mass;                         ///< with a density
+  std::optional<EqualisationResult>     equalisation;                 ///< stage J; its mesh is emptied
+  std::vector<std::string>              warnings;
 };
 
 /** Stages C to K: from a solid and its ordering by volume to a structured hexahedral mesh.
@@ -166,5 +179,22 @@ meshSolid(const LevelSet &            ordering,
           double                      volume,
           const SolidMeshingOptions & options = {},
           const ProgressCallback &    progress = {});
+
+/** Stage J alone, from another mesh: ties a solid to options.templateMesh, so that lattice indices are the same places
+ * in both, as far as their shapes tell.
+ *
+ * The template is brought to the solid by options.templateAlignment and scaled to its volume about its middle; then its
+ * boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that one
+ * is sought which bends the template least (EqualisationOptions::reference). The less it may be bent, the more like it
+ * the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
+ *
+ * result.stages: "template", "exact". result.alignment is set; there are no shells and no sphere maps.
+ * \throws InvalidInput  no template, one of another size or with padding; padding, a density or another last stage than
+ * Exact is wanted; NotConverged, Cancelled  as meshSolid */
+[[nodiscard]] SolidMeshingResult
+meshOnTemplate(const LevelSet &            phi,
+               double                      volume,
+               const SolidMeshingOptions & options,
+               const ProgressCallback &    progress = {});
 
 } // namespace moserhex

@@ -76,6 +76,16 @@ struct RunReport
     double scoreBefore{ 0.0 };
     double scoreAfter{ 0.0 }; ///< of the cube's edges on the surface, less is better [1]
   };
+  /** The mesh that this one is tied to, and how it was brought to the label. */
+  struct Template
+  {
+    std::string file;
+    std::string sha256;
+    double      angle{ 0.0 };       ///< by which it was turned [degree]
+    double      translation{ 0.0 }; ///< by which its middle was moved [mm]
+    double      rmsBefore{ 0.0 };   ///< of its surface to the label's [mm]
+    double      rmsAfter{ 0.0 };    ///< [mm]
+  };
   /** What stage J promises, and whether it was reached. */
   struct Exact
   {
@@ -135,6 +145,7 @@ struct RunReport
   std::vector<StageRecord>    stages;
   Mesh                        mesh; ///< of a failed run the file's name only
   std::optional<Surface>      surface;
+  std::optional<Template>     templateMesh;
   std::optional<Frame>        frame; ///< when it was asked for
   std::optional<Exact>        exact;
   std::vector<std::string>    warnings;

@@ -1,0 +1,181 @@
+#include "BoundaryProjection.h"
+#include "ExactStage.h"
+#include "FrameSearch.h"
+#include "StageLog.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
+#include "moserhex/LevelSet/MarchingTetrahedra.h"
+#include "moserhex/SolidMeshing/SolidMeshing.h"
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace moserhex
+{
+namespace
+{
+
+/** Of the reference, from one that hardly lets the template bend to one that hardly holds it [1]. */
+constexpr std::array<double, 4> referenceWeights{ { 10.0, 2.0, 0.5, 0.1 } };
+
+/** Parts of the whole run, for progress only. */
+constexpr double afterAlignment = 0.1;
+
+void
+requireUsable(const SolidMeshingOptions & options)
+{
+  const auto require = [](bool holds, const std::string & text) {
+    if (!holds)
+    {
+      throw InvalidInput("template: " + text);
+    }
+  };
+  require(options.templateMesh.has_value(), "there is none");
+  require(options.templateMesh->paddingLayers == 0, "it has padding");
+  requireLattice(*options.templateMesh);
+  require(options.templateMesh->nodesPerSide == 2 * options.shells,
+          "it has " + std::to_string(options.templateMesh->nodesPerSide) + " nodes a side, need " +
+            std::to_string(2 * options.shells));
+  require(options.lastStage == MeshingStage::Exact, "it needs the last stage Exact");
+  require(options.density == nullptr, "a mesh that is tied to one has equal volumes, not masses");
+  require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
+}
+
+Positions
+boundaryPoints(const HexMesh & mesh)
+{
+  Positions points;
+  for (const std::size_t node : boundaryNodes(mesh))
+  {
+    points.push_back(mesh.nodes[node]);
+  }
+  return points;
+}
+
+/** About the nodes' middle, to the volume. */
+void
+scaleToVolume(double volume, HexMesh & mesh)
+{
+  double enclosed = 0.0;
+  for (const double cell : cellVolumes(mesh))
+  {
+    enclosed += cell;
+  }
+  if (!(enclosed > 0.0))
+  {
+    throw InvalidInput("template: its cells have no volume");
+  }
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3 & node : mesh.nodes)
+  {
+    middle += node / static_cast<double>(mesh.nodes.size());
+  }
+  const double scale = std::cbrt(volume / enclosed);
+  for (Vector3 & node : mesh.nodes)
+  {
+    node = middle + scale * (node - middle);
+  }
+}
+
+/** One run: what a step leaves for those after it. */
+class TemplateRun
+{
+public:
+  TemplateRun(const LevelSet & phi, double volume, const SolidMeshingOptions & options)
+    : m_Phi(phi), m_PhiAt(phi), m_Volume(volume), m_Options(options), m_Log(m_Result.stages)
+  {}
+
+  [[nodiscard]] SolidMeshingResult
+  run(const ProgressCallback & progress)
+  {
+    align();
+    reportProgress(progress, afterAlignment);
+    tie(progressBetween(progress, afterAlignment, 1.0));
+    const TriangleMesh       surface = marchingTetrahedra(m_Phi, 0.0);
+    const ClosestPointSearch search(surface);
+    m_Result.boundary = boundaryDistance(m_Result.mesh, nearestPointOn(search, m_PhiAt, 0.0));
+    requireExact(m_Options, m_Result);
+    reportProgress(progress, 1.0);
+    return std::move(m_Result);
+  }
+
+private:
+  void
+  align()
+  {
+    m_Reference = *m_Options.templateMesh;
+    std::ostringstream note;
+    if (m_Options.templateAlignment == TemplateAlignment::Rigid)
+    {
+      m_Result.alignment = alignToSurface(boundaryPoints(m_Reference), m_Phi);
+      for (Vector3 & node : m_Reference.nodes)
+      {
+        node = m_Result.alignment->motion(node);
+      }
+      note << "turned by " << m_Result.alignment->motion.angle() << " degrees, surface rms "
+           << m_Result.alignment->rmsBefore << " -> " << m_Result.alignment->rmsAfter << " mm";
+      if (!m_Result.alignment->report.converged)
+      {
+        m_Result.warnings.emplace_back("the alignment of the template stopped before its minimum");
+      }
+    }
+    scaleToVolume(m_Volume, m_Reference);
+    m_Log.add("template", m_Reference, note.str());
+  }
+
+  void
+  tie(const ProgressCallback & progress)
+  {
+    EqualisationOptions options = equalisationOptions(m_Options);
+    options.reference = m_Reference.nodes;
+    std::optional<EqualisationResult> best;
+    for (std::size_t w = 0; w < referenceWeights.size() && !(best && best->exact); ++w)
+    {
+      options.referenceWeight = referenceWeights[w];
+      EqualisationResult tied = equaliseVolumes(
+        m_Reference, signedDistance(m_PhiAt), m_Volume, options, progressOfPart(progress, w, referenceWeights.size()));
+      std::ostringstream attempt;
+      attempt << "weight " << options.referenceWeight << ": " << (tied.exact ? "exact" : "not exact");
+      m_Result.attempts.push_back(attempt.str());
+      best = !best || isBetter(tied, *best) ? std::move(tied) : std::move(*best);
+    }
+    take(std::move(*best));
+    std::string note;
+    for (const std::string & attempt : m_Result.attempts)
+    {
+      note += (note.empty() ? "" : "; ") + attempt;
+    }
+    m_Log.add("exact", m_Result.mesh, note);
+  }
+
+  void
+  take(EqualisationResult && equalised)
+  {
+    m_Result.mesh = std::move(equalised.mesh);
+    equalised.mesh = {};
+    m_Result.equalisation = std::move(equalised);
+  }
+
+  const LevelSet &            m_Phi;
+  CubicInterpolator           m_PhiAt;
+  double                      m_Volume;
+  const SolidMeshingOptions & m_Options;
+  HexMesh                     m_Reference; ///< the template at the solid
+  SolidMeshingResult          m_Result;
+  StageLog                    m_Log;
+};
+
+} // namespace
+
+SolidMeshingResult
+meshOnTemplate(const LevelSet &            phi,
+               double                      volume,
+               const SolidMeshingOptions & options,
+               const ProgressCallback &    progress)
+{
+  requireUsable(options);
+  return TemplateRun(phi, volume, options).run(progress);
+}
+
+} // namespace moserhex
