@@ -14,6 +14,13 @@ namespace
 
 constexpr std::size_t lineLength = 200;
 
+void
+printWithCode(const std::string & begin, ErrorCode code, const std::string & text)
+{
+  const std::string end = std::string(" [") + nameOf(code) + "]";
+  std::fprintf(stderr, "%s\n", (begin + oneLine(text, lineLength - begin.size() - end.size()) + end).c_str());
+}
+
 } // namespace
 
 ProgressPrinter::ProgressPrinter(bool quiet) : m_Quiet(quiet), m_Terminal(::isatty(STDOUT_FILENO) == 1)
@@ -64,11 +71,15 @@ printWarning(const std::string & text)
 }
 
 void
+printWarning(ErrorCode code, const std::string & text)
+{
+  printWithCode("warning: ", code, text);
+}
+
+void
 printError(ErrorCode code, const std::string & text)
 {
-  const std::string end = std::string(" [") + nameOf(code) + "]";
-  const std::string begin = "error: ";
-  std::fprintf(stderr, "%s\n", (begin + oneLine(text, lineLength - begin.size() - end.size()) + end).c_str());
+  printWithCode("error: ", code, text);
 }
 
 void

@@ -35,6 +35,10 @@ private:
 void
 printWarning(const std::string & text);
 
+/** The same with " [E_...]" at its end, of a failure that does not end the program. */
+void
+printWarning(ErrorCode code, const std::string & text);
+
 /** One line "error: ... [E_...]" of at most 200 characters on the standard error output. */
 void
 printError(ErrorCode code, const std::string & text);

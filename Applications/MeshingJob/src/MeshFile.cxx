@@ -1,8 +1,10 @@
 #include "MeshFile.h"
 
 #include "CommandErrors.h"
+#include "Guard.h"
 #include "MeshReport.h"
 #include "OutputName.h"
+#include "PeakMemory.h"
 #include "ScaledJacobians.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
@@ -13,6 +15,7 @@
 
 #include <itkMultiThreaderBase.h>
 
+#include <exception>
 #include <utility>
 
 namespace moserhex::app
@@ -65,6 +68,62 @@ requireUnchanged(const std::string & fileName, const std::string & sha256)
   }
 }
 
+/** Reads, meshes and writes the mesh. What is known by then is in the report, also when it throws. */
+void
+makeMesh(const MeshCommandOptions &                       options,
+         const ProgressCallback &                         progress,
+         const std::function<void(const std::string &)> & say,
+         MeshedFile &                                     meshed)
+{
+  RunReport & report = meshed.report;
+  report.input.sha256 = sha256OfFile(options.input.file);
+  requireKnownKind(options.input);
+  say("reading the label");
+  meshed.solid = readSolid(options.input);
+  addSolid(meshed.solid, report);
+  requireWritable(options.output);
+  if (!options.reportFile.empty())
+  {
+    requireWritable(options.reportFile);
+  }
+  ScalarImage density;
+  if (!options.density.empty())
+  {
+    density = readScalarImage(options.density, { options.input.sandbox });
+    report.density = RunReport::Density{ options.density, sha256OfFile(options.density) };
+    report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
+  }
+  say("meshing " + meshed.solid.name());
+  meshed.pipeline = runPipeline(meshed.solid, density.image.GetPointer(), options, progress);
+  addResults(*meshed.pipeline, report);
+  requireUnchanged(options.input.file, report.input.sha256);
+
+  say("writing the mesh");
+  const HexMesh & mesh = meshed.pipeline->GetHexMesh();
+  writeHexMesh(options.output, mesh, fieldsOf(mesh, meshed.solid, options.threads));
+}
+
+/** Writes the report of a run that ended with the exception being handled. That it cannot be written is not said: the
+ * run's own error is what counts. */
+void
+writeReportOfFailure(const std::string & fileName, RunReport & report)
+{
+  const Failure failure = describeFailure(std::current_exception());
+  if (fileName.empty() || failure.code == ErrorCode::Usage || failure.code == ErrorCode::Cancelled)
+  {
+    return;
+  }
+  report.failure = RunReport::Failure{ failure.code, failure.message };
+  try
+  {
+    writeRunReport(fileName, report);
+  }
+  catch (const std::exception &)
+  {
+    return;
+  }
+}
+
 } // namespace
 
 HexMeshFields
@@ -90,41 +149,31 @@ meshFile(const MeshCommandOptions &                       userOptions,
       comment(what);
     }
   };
-  const Stopwatch    stopwatch;
   MeshCommandOptions options = userOptions;
   options.threads = options.threads == 0 ? defaultThreadCount() : options.threads;
   itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
 
   requireUsableNames(options);
-  const std::string sha256 = sha256OfFile(options.input.file);
-  requireKnownKind(options.input);
-  say("reading the label");
-  MeshedFile meshed;
-  meshed.solid = readSolid(options.input);
-  requireWritable(options.output);
-  if (!options.reportFile.empty())
+  const Stopwatch stopwatch;
+  MeshedFile      meshed;
+  RunReport &     report = meshed.report;
+  report = startReport(options);
+  const auto addCosts = [&] {
+    report.seconds = stopwatch.seconds();
+    report.peakMemory = peakMemory();
+  };
+  try
   {
-    requireWritable(options.reportFile);
+    makeMesh(options, progress, say, meshed);
   }
-  RunReport & report = meshed.report;
-  report = startReport(meshed.solid, sha256, options);
-  ScalarImage density;
-  if (!options.density.empty())
+  catch (...)
   {
-    density = readScalarImage(options.density, { options.input.sandbox });
-    report.density = RunReport::Density{ options.density, sha256OfFile(options.density) };
-    report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
+    addCosts();
+    writeReportOfFailure(options.reportFile, report);
+    throw;
   }
-  say("meshing " + meshed.solid.name());
-  meshed.pipeline = runPipeline(meshed.solid, density.image.GetPointer(), options, progress);
-  addResults(*meshed.pipeline, report);
-  requireUnchanged(options.input.file, sha256);
-
-  say("writing the mesh");
-  const HexMesh & mesh = meshed.pipeline->GetHexMesh();
-  writeHexMesh(options.output, mesh, fieldsOf(mesh, meshed.solid, options.threads));
-  report.seconds = stopwatch.seconds();
+  addCosts();
   if (!options.reportFile.empty())
   {
     writeRunReport(options.reportFile, report);

@@ -13,7 +13,8 @@ struct MeshCommandOptions
 {
   InputOptions               input;
   std::string                output;
-  std::string                reportFile; ///< empty: no report
+  std::string                reportFile;            ///< empty: no report
+  bool                       reproducible{ false }; ///< the report has no times, threads and memory
   int                        shells{ 10 };
   std::string                stage{ "exact" };            ///< initial | smoothed | moser | exact
   std::optional<std::string> way;                         ///< fast (also when not given) | faithful

@@ -10,23 +10,6 @@ namespace moserhex::app
 namespace
 {
 
-RunReport::Input
-describeInput(const ChosenSolid & solid, const std::string & sha256)
-{
-  RunReport::Input input;
-  input.file = solid.image.fileName;
-  input.sha256 = sha256;
-  input.labels = solid.labelValues();
-  input.labelName = solid.labels.size() == 1 ? solid.labels.front().name : "";
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    input.spacing[axis] = solid.mask->GetSpacing()[static_cast<unsigned int>(axis)];
-  }
-  input.voxels = solid.voxels;
-  input.volume = static_cast<double>(solid.voxels) * input.spacing.prod();
-  return input;
-}
-
 RunReport::Conditioning
 describeConditioning(const ConditioningReport & conditioning)
 {
@@ -85,10 +68,10 @@ describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageRe
 } // namespace
 
 RunReport
-startReport(const ChosenSolid & solid, const std::string & sha256, const MeshCommandOptions & options)
+startReport(const MeshCommandOptions & options)
 {
   RunReport report;
-  report.input = describeInput(solid, sha256);
+  report.input.file = options.input.file;
   report.parameters.shells = options.shells;
   report.parameters.padding = options.padding;
   report.parameters.stage = options.stage;
@@ -105,8 +88,23 @@ startReport(const ChosenSolid & solid, const std::string & sha256, const MeshCom
   report.versions.moserhex = version;
   report.versions.git = gitDescription;
   report.mesh.file = options.output;
-  report.warnings = solid.image.warnings;
+  report.reproducible = options.reproducible;
   return report;
+}
+
+void
+addSolid(const ChosenSolid & solid, RunReport & report)
+{
+  RunReport::Input & input = report.input;
+  input.labels = solid.labelValues();
+  input.labelName = solid.labels.size() == 1 ? solid.labels.front().name : "";
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    input.spacing[axis] = solid.mask->GetSpacing()[static_cast<unsigned int>(axis)];
+  }
+  input.voxels = solid.voxels;
+  input.volume = static_cast<double>(solid.voxels) * input.spacing.prod();
+  report.warnings.insert(report.warnings.end(), solid.image.warnings.begin(), solid.image.warnings.end());
 }
 
 void

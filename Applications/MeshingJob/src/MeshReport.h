@@ -6,9 +6,13 @@
 namespace moserhex::app
 {
 
-/** What is known before the run: the input, whose checksum is given, the options and the versions. */
+/** What is known before anything is read: names of files, options and versions. */
 [[nodiscard]] RunReport
-startReport(const ChosenSolid & solid, const std::string & sha256, const MeshCommandOptions & options);
+startReport(const MeshCommandOptions & options);
+
+/** What was read, with its warnings. */
+void
+addSolid(const ChosenSolid & solid, RunReport & report);
 
 /** What the run did and made; of a density, what it is on the label. */
 void

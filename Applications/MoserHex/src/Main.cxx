@@ -62,7 +62,10 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
   addInput(*command, options.input);
   addOutput(*command, options.output);
   addMeshingOptions(*command, options);
-  command->add_option("--report", options.reportFile, "Write a report of the run as JSON");
+  command->add_option("--report", options.reportFile, "Write a report of the run as JSON, also when it fails");
+  command->add_flag("--reproducible",
+                    options.reproducible,
+                    "Leave times, threads and memory out of the report: two runs write the same bytes");
   addThreadsAndQuiet(*command, options.threads, options.quiet);
 }
 

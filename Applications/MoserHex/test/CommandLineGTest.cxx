@@ -44,25 +44,10 @@ TEST_F(CommandLine, HelpNamesEveryOption)
 {
   const Outcome outcome = run({ "mesh", "--help" });
   EXPECT_EQ(outcome.exitCode, 0);
-  for (const char * option : { "INPUT",
-                               "OUTPUT",
-                               "--shells",
-                               "--padding",
-                               "--label",
-                               "--segment",
-                               "--threshold",
-                               "--no-sandbox",
-                               "--topology",
-                               "--max-repair",
-                               "--stage",
-                               "--way",
-                               "--frame",
-                               "--density",
-                               "--allow-partial",
-                               "--report",
-                               "--shell-method",
-                               "--threads",
-                               "--quiet" })
+  for (const char * option :
+       { "INPUT",           "OUTPUT",     "--shells",       "--padding",      "--label",   "--segment", "--threshold",
+         "--no-sandbox",    "--topology", "--max-repair",   "--stage",        "--way",     "--frame",   "--density",
+         "--allow-partial", "--report",   "--reproducible", "--shell-method", "--threads", "--quiet" })
   {
     EXPECT_NE(outcome.out.find(option), std::string::npos) << option;
   }

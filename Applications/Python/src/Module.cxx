@@ -74,7 +74,8 @@ meshSolidOf(LabelImage                         image,
 {
   const Stopwatch        stopwatch;
   const app::ChosenSolid solid = app::chooseSolid(std::move(image), label);
-  RunReport              report = app::startReport(solid, "", options);
+  RunReport              report = app::startReport(options);
+  app::addSolid(solid, report);
   if (density)
   {
     report.density.emplace().file = density->fileName;

@@ -46,9 +46,12 @@ constexpr std::array<Entry, static_cast<std::size_t>(lastErrorCode) + 1> table{ 
   { "E_NOT_EXACT", 4 },
   { "E_SHAPE", 4 },
   { "E_MEMORY", 4 },
+  { "E_TIMEOUT", 4 },
+  { "E_CRASH", 70 },
   { "E_INTERNAL", 70 },
   { "E_CANTCREAT", 74 },
   { "E_IO", 74 },
+  { "E_LOCKED", 75 },
   { "E_CANCELLED", 130 },
 } };
 

@@ -3,14 +3,20 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <fcntl.h>
+#include <sys/types.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace moserhex
 {
@@ -62,13 +68,40 @@ reason(int error)
   return std::strerror(error);
 }
 
+/** What a part's name begins with: ".name.". */
+std::string
+beginOfPart(const fs::path & finalName)
+{
+  return "." + finalName.stem().string().substr(0, 150) + ".";
+}
+
 /** ".name.<process>.part.ext" beside the final file. */
 std::string
-partNameOf(const fs::path & finalName)
+partNameOf(const fs::path & finalName, long process)
 {
-  const std::string base = finalName.stem().string().substr(0, 150);
-  const std::string name = "." + base + "." + std::to_string(::getpid()) + ".part" + finalName.extension().string();
+  const std::string name = beginOfPart(finalName) + std::to_string(process) + ".part" + finalName.extension().string();
   return (finalName.parent_path() / name).string();
+}
+
+/** The process that a part's name has, and the name without it; nothing for other files. */
+std::optional<std::pair<std::string, long>>
+partAndProcess(const std::string & name)
+{
+  const std::size_t part = name.rfind(".part");
+  const std::size_t number = part == std::string::npos || part == 0 ? std::string::npos : name.rfind('.', part - 1);
+  if (number == std::string::npos || number == 0 || number + 1 == part || part - number > 18 ||
+      name.find_first_not_of("0123456789", number + 1) != part)
+  {
+    return std::nullopt;
+  }
+  const std::string others = name.substr(0, number + 1) + name.substr(part + std::strlen(".part"));
+  return std::make_pair(others, std::stol(name.substr(number + 1, part - number - 1)));
+}
+
+bool
+isAlive(long process)
+{
+  return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
 void
@@ -101,7 +134,7 @@ AtomicFile::AtomicFile(const std::string & finalName) : m_FinalName(finalName)
   {
     throw IOError(ErrorCode::CannotCreate, finalName, "is a folder, not a file", "give a file name");
   }
-  m_PartName = partNameOf(path);
+  m_PartName = partNameOf(path, ::getpid());
   const int descriptor = ::open(m_PartName.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0)
   {
@@ -176,6 +209,47 @@ writeTextFile(const std::string & fileName, const std::string & text)
   AtomicFile file(fileName);
   file.writeText(text);
   file.commit();
+}
+
+void
+removePartOf(const std::string & finalName, long process) noexcept
+{
+  ::unlink(partNameOf(finalName, process).c_str());
+}
+
+void
+removeAbandonedParts(const std::vector<std::string> & finalNames)
+{
+  std::map<std::string, std::set<std::string>> namesInFolders;
+  for (const std::string & finalName : finalNames)
+  {
+    const fs::path path(finalName);
+    namesInFolders[path.parent_path().string()].insert(beginOfPart(path) + path.extension().string());
+  }
+  for (const auto & [folder, names] : namesInFolders)
+  {
+    std::error_code ignored; // a folder that is not there yet
+    for (const fs::directory_entry & entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
+    {
+      const auto part = partAndProcess(entry.path().filename().string());
+      if (part && names.count(part->first) > 0 && !isAlive(part->second))
+      {
+        ::unlink(entry.path().c_str());
+      }
+    }
+  }
+}
+
+void
+makeFolder(const std::string & folder)
+{
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (!fs::is_directory(folder))
+  {
+    throw IOError(
+      ErrorCode::CannotCreate, folder, "cannot make the folder (" + failed.message() + ")", "choose a writable place");
+  }
 }
 
 void

@@ -36,7 +36,15 @@ stageJson(const StageRecord & stage)
 Json
 inputJson(const RunReport::Input & input)
 {
-  Json json{ { "file", input.file }, { "sha256", input.sha256 } };
+  Json json{ { "file", input.file } };
+  if (!input.sha256.empty())
+  {
+    json["sha256"] = input.sha256;
+  }
+  if (input.labels.empty())
+  {
+    return json;
+  }
   json["label"] = input.labels.size() == 1 ? Json(input.labels.front()) : Json();
   json["labels"] = input.labels;
   if (!input.labelName.empty())
@@ -82,6 +90,58 @@ conditioningJson(const RunReport::Conditioning & conditioning)
            { "dice", conditioning.dice } };
 }
 
+Json
+densityJson(const RunReport::Density & density)
+{
+  return { { "file", density.file },
+           { "sha256", density.sha256 },
+           { "mean", density.mean },
+           { "mass", density.mass },
+           { "mass_per_cell", density.massPerCell } };
+}
+
+Json
+meshJson(const RunReport & report)
+{
+  Json json{ { "file", report.mesh.file } };
+  if (!report.failure)
+  {
+    json["nodes"] = report.mesh.nodes;
+    json["cells"] = report.mesh.cells;
+    json["volume_mm3"] = report.mesh.volume;
+  }
+  return json;
+}
+
+Json
+exactJson(const RunReport & report)
+{
+  Json json{ { "reached", report.exact->reached },
+             { "certified", report.exact->certified },
+             { "uncertified_cells", report.exact->uncertifiedCells },
+             { "variance", report.exact->variance },
+             { "shortcomings", report.exact->shortcomings } };
+  if (report.density)
+  {
+    json["mass_quadrature_error"] = report.exact->massQuadratureError;
+  }
+  return json;
+}
+
+/** Leaves out what differs from run to run. */
+void
+removeCosts(Json & json)
+{
+  for (Json & stage : json["stages"])
+  {
+    stage.erase("seconds");
+  }
+  for (const char * key : { "threads", "seconds", "peak_memory_mib" })
+  {
+    json.erase(key);
+  }
+}
+
 } // namespace
 
 RunReport::Versions
@@ -98,29 +158,29 @@ libraryVersions()
 std::string
 toJson(const RunReport & report)
 {
-  Json json;
+  Json json{ { "status", report.failure ? "failed" : "meshed" } };
+  if (report.failure)
+  {
+    json["error"] = { { "code", nameOf(report.failure->code) }, { "message", report.failure->message } };
+  }
   json["coordinate_system"] = "LPS";
   json["units"] = "mm";
   json["input"] = inputJson(report.input);
   json["parameters"] = parametersJson(report.parameters);
-  json["conditioning"] = conditioningJson(report.conditioning);
+  if (report.conditioning)
+  {
+    json["conditioning"] = conditioningJson(*report.conditioning);
+  }
   if (report.density)
   {
-    json["density"] = { { "file", report.density->file },
-                        { "sha256", report.density->sha256 },
-                        { "mean", report.density->mean },
-                        { "mass", report.density->mass },
-                        { "mass_per_cell", report.density->massPerCell } };
+    json["density"] = densityJson(*report.density);
   }
   json["stages"] = Json::array();
   for (const StageRecord & stage : report.stages)
   {
     json["stages"].push_back(stageJson(stage));
   }
-  json["mesh"] = { { "file", report.mesh.file },
-                   { "nodes", report.mesh.nodes },
-                   { "cells", report.mesh.cells },
-                   { "volume_mm3", report.mesh.volume } };
+  json["mesh"] = meshJson(report);
   if (report.surface)
   {
     json["surface"] = { { "rms_mm", report.surface->rms }, { "max_mm", report.surface->maximum } };
@@ -133,15 +193,7 @@ toJson(const RunReport & report)
   }
   if (report.exact)
   {
-    json["exact"] = { { "reached", report.exact->reached },
-                      { "certified", report.exact->certified },
-                      { "uncertified_cells", report.exact->uncertifiedCells },
-                      { "variance", report.exact->variance },
-                      { "shortcomings", report.exact->shortcomings } };
-    if (report.density)
-    {
-      json["exact"]["mass_quadrature_error"] = report.exact->massQuadratureError;
-    }
+    json["exact"] = exactJson(report);
   }
   json["warning_count"] = report.warnings.size();
   json["warnings"] = Json(report.warnings);
@@ -152,6 +204,14 @@ toJson(const RunReport & report)
                        { "eigen", report.versions.eigen } };
   json["threads"] = report.threads;
   json["seconds"] = report.seconds;
+  if (report.peakMemory)
+  {
+    json["peak_memory_mib"] = *report.peakMemory;
+  }
+  if (report.reproducible)
+  {
+    removeCosts(json);
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -31,10 +31,11 @@ someReport()
   report.parameters.density = "";
   report.parameters.topology = "repair";
   report.parameters.maximumRepair = 5.0;
-  report.conditioning.handles = 1;
-  report.conditioning.voxelVolume = 2.0;
-  report.conditioning.voxelsRemoved = 3;
-  report.conditioning.changes = { { TopologyChangeKind::HandleCut, 0, 1, 3, Vector3(1.0, 2.0, 3.0) } };
+  report.conditioning.emplace();
+  report.conditioning->handles = 1;
+  report.conditioning->voxelVolume = 2.0;
+  report.conditioning->voxelsRemoved = 3;
+  report.conditioning->changes = { { TopologyChangeKind::HandleCut, 0, 1, 3, Vector3(1.0, 2.0, 3.0) } };
   report.stages = { { "conditioning", 0.5, {} },
                     { "moser", 0.25, StageQuality{ 1e-3, 0.1, -0.05, 0.7 }, "31 steps, certified" } };
   report.mesh = { "mesh.vtu", 8000, 6859, 51000.2 };
@@ -42,6 +43,19 @@ someReport()
   report.warnings = { "the label touches the first slice" };
   report.versions = libraryVersions();
   report.threads = 2;
+  report.seconds = 12.5;
+  report.peakMemory = 321.25;
+  return report;
+}
+
+/** Of a file that could not be read. */
+RunReport
+reportOfFailure()
+{
+  RunReport report;
+  report.input.file = "case.nrrd";
+  report.mesh.file = "mesh.vtu";
+  report.failure = RunReport::Failure{ ErrorCode::Truncated, "case.nrrd: ends early; copy it again" };
   return report;
 }
 } // namespace
@@ -71,6 +85,48 @@ TEST(RunReport, HasTheDocumentedKeys)
   {
     EXPECT_TRUE(json["versions"].contains(key)) << key;
   }
+}
+
+TEST(RunReport, StatusSaysWhetherThereIsAMesh)
+{
+  const Json meshed = Json::parse(toJson(someReport()));
+  EXPECT_EQ(meshed["status"], "meshed");
+  EXPECT_FALSE(meshed.contains("error"));
+  const Json failed = Json::parse(toJson(reportOfFailure()));
+  EXPECT_EQ(failed["status"], "failed");
+  EXPECT_EQ(failed["error"]["code"], "E_TRUNCATED");
+  EXPECT_EQ(failed["error"]["message"], "case.nrrd: ends early; copy it again");
+}
+
+TEST(RunReport, WhatWasNotKnownAtAFailureIsLeftOut)
+{
+  RunReport report = reportOfFailure();
+  Json      json = Json::parse(toJson(report));
+  EXPECT_EQ(json["input"], Json({ { "file", "case.nrrd" } }));
+  EXPECT_EQ(json["mesh"], Json({ { "file", "mesh.vtu" } }));
+  EXPECT_FALSE(json.contains("conditioning"));
+  report.input.sha256 = std::string(64, 'a');
+  report.input.labels = { 3 };
+  json = Json::parse(toJson(report));
+  EXPECT_EQ(json["input"]["sha256"], std::string(64, 'a'));
+  EXPECT_EQ(json["input"]["label"], 3);
+}
+
+TEST(RunReport, ReproducibleOneHasNothingThatDiffersFromRunToRun)
+{
+  Json expected = Json::parse(toJson(someReport()));
+  EXPECT_EQ(expected["peak_memory_mib"], 321.25);
+  for (const char * key : { "threads", "seconds", "peak_memory_mib" })
+  {
+    EXPECT_EQ(expected.erase(key), 1u) << key;
+  }
+  for (Json & stage : expected["stages"])
+  {
+    EXPECT_EQ(stage.erase("seconds"), 1u);
+  }
+  RunReport report = someReport();
+  report.reproducible = true;
+  EXPECT_EQ(Json::parse(toJson(report)), expected);
 }
 
 TEST(RunReport, DensityAndFrameAreThereOnlyWhenTheyWereUsed)

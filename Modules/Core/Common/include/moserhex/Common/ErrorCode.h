@@ -37,9 +37,12 @@ enum class ErrorCode
   NotExact,           ///< E_NOT_EXACT: the mesh is not exact; the message says in what
   Shape,              ///< E_SHAPE: too thin, bent or sharp for the lattice, which coarse lattices show in every frame
   OutOfMemory,        ///< E_MEMORY: not enough memory for the work
+  TimeLimit,          ///< E_TIMEOUT: the work took longer than was allowed
+  Crashed,            ///< E_CRASH: the process that did the work died
   Internal,           ///< E_INTERNAL: a fault of the program: please report it
   CannotCreate,       ///< E_CANTCREAT: the output cannot be created
   InputOutput,        ///< E_IO: the operating system failed while reading or writing
+  Locked,             ///< E_LOCKED: another run works on the output folder
   Cancelled,          ///< E_CANCELLED: stopped by the caller
 };
 
@@ -48,7 +51,7 @@ enum class ErrorCode
 nameOf(ErrorCode code);
 
 /** What a command that ends with such a fault exits with: 2 wrong usage, 3 bad input, 4 no valid mesh, 70 a fault of
- * the program, 74 input or output failed, 130 stopped. */
+ * the program, 74 input or output failed, 75 try again later, 130 stopped. */
 [[nodiscard]] int
 exitStatusOf(ErrorCode code);
 

@@ -51,6 +51,19 @@ private:
 void
 writeTextFile(const std::string & fileName, const std::string & text);
 
+/** Removes what a process that was killed left of a file it was writing. */
+void
+removePartOf(const std::string & finalName, long process) noexcept;
+
+/** Removes what processes that are no more left of these files. Only for files that no other machine is writing, whose
+ * processes cannot be seen. */
+void
+removeAbandonedParts(const std::vector<std::string> & finalNames);
+
+/** Makes a folder and those above it, as far as they are missing. \throws IOError (CannotCreate) */
+void
+makeFolder(const std::string & folder);
+
 /** Removes the parts of all files being written: for a handler of SIGINT and SIGTERM, where destructors do not run.
  * Async-signal-safe. */
 void

@@ -31,14 +31,15 @@ struct StageRecord
   std::string                 note{};  ///< what the stage did, in words; may be empty
 };
 
-/** What a run read, did and made: written as JSON beside the mesh. Lengths in mm, LPS. */
+/** What a run read, did and made, or why it made nothing: written as JSON beside the mesh. Lengths in mm, LPS.
+ * What is empty was not used, or not known yet when the run failed; it is left out. */
 struct RunReport
 {
   struct Input
   {
     std::string               file;
     std::string               sha256;
-    std::vector<std::int64_t> labels;                     ///< one, or those that were taken together
+    std::vector<std::int64_t> labels;                     ///< one, or those that were taken together; none: not read
     std::string               labelName;                  ///< of the one
     Vector3                   spacing{ Vector3::Zero() }; ///< [mm]
     std::size_t               voxels{ 0 };
@@ -111,6 +112,12 @@ struct RunReport
     double rms{ 0.0 };     ///< of boundary nodes and quadrilateral centres to the solid's surface [mm]
     double maximum{ 0.0 }; ///< [mm]
   };
+  /** Why there is no mesh. */
+  struct Failure
+  {
+    ErrorCode   code{ ErrorCode::Internal };
+    std::string message;
+  };
   struct Versions
   {
     std::string moserhex;
@@ -120,19 +127,22 @@ struct RunReport
     std::string eigen;
   };
 
-  Input                    input;
-  std::optional<Density>   density; ///< empty: volumes
-  Conditioning             conditioning;
-  Parameters               parameters;
-  std::vector<StageRecord> stages;
-  Mesh                     mesh;
-  std::optional<Surface>   surface;
-  std::optional<Frame>     frame; ///< when it was asked for
-  std::optional<Exact>     exact;
-  std::vector<std::string> warnings;
-  Versions                 versions; ///< itk, vtk and eigen are filled in by libraryVersions()
-  unsigned int             threads{ 0 };
-  double                   seconds{ 0.0 }; ///< whole run, wall time
+  std::optional<Failure>      failure; ///< empty: meshed
+  Input                       input;
+  std::optional<Density>      density; ///< empty: volumes
+  std::optional<Conditioning> conditioning;
+  Parameters                  parameters;
+  std::vector<StageRecord>    stages;
+  Mesh                        mesh; ///< of a failed run the file's name only
+  std::optional<Surface>      surface;
+  std::optional<Frame>        frame; ///< when it was asked for
+  std::optional<Exact>        exact;
+  std::vector<std::string>    warnings;
+  Versions                    versions; ///< itk, vtk and eigen are filled in by libraryVersions()
+  unsigned int                threads{ 0 };
+  double                      seconds{ 0.0 }; ///< whole run, wall time
+  std::optional<double>       peakMemory;     ///< of the process [MiB]
+  bool reproducible{ false };                 ///< seconds, threads and memory are left out: the same run, the same text
 };
 
 /** Versions of ITK, VTK and Eigen this library was built with. */
