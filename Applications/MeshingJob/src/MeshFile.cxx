@@ -10,7 +10,7 @@
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
-#include "moserhex/HexMeshIO/Sha256.h"
+#include "moserhex/HexMeshIO/InputChecksum.h"
 #include "moserhex/Quality/CellLabels.h"
 
 #include <itkMultiThreaderBase.h>
@@ -62,7 +62,7 @@ requireWritable(const std::string & fileName)
 void
 requireUnchanged(const std::string & fileName, const std::string & sha256)
 {
-  if (sha256OfFile(fileName) != sha256)
+  if (sha256OfInput(fileName) != sha256)
   {
     throw IOError(ErrorCode::InputOutput, fileName, "the file changed during the run", "run again when it is complete");
   }
@@ -76,7 +76,7 @@ makeMesh(const MeshCommandOptions &                       options,
          MeshedFile &                                     meshed)
 {
   RunReport & report = meshed.report;
-  report.input.sha256 = sha256OfFile(options.input.file);
+  report.input.sha256 = sha256OfInput(options.input.file);
   requireKnownKind(options.input);
   say("reading the label");
   meshed.solid = readSolid(options.input);
@@ -90,7 +90,7 @@ makeMesh(const MeshCommandOptions &                       options,
   if (!options.density.empty())
   {
     density = readScalarImage(options.density, { options.input.sandbox });
-    report.density = RunReport::Density{ options.density, sha256OfFile(options.density) };
+    report.density = RunReport::Density{ options.density, sha256OfInput(options.density) };
     report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
   }
   say("meshing " + meshed.solid.name());

@@ -1,3 +1,5 @@
+#include "BatchCommand.h"
+#include "CaseListArguments.h"
 #include "CheckCommand.h"
 #include "Console.h"
 #include "ConvertCommand.h"
@@ -115,6 +117,47 @@ addConvertCommand(CLI::App & program, ConvertCommandOptions & options)
   return command;
 }
 
+const CLI::App *
+addBatchCommand(CLI::App & program, BatchCommandOptions & options)
+{
+  CLI::App * command = program.add_subcommand(
+    "batch", "Mesh many files, each in a process of its own; an interrupted run goes on where it ended");
+  command
+    ->add_option("INPUT",
+                 options.list.inputs,
+                 "Folders, labelmaps, surfaces, patterns, or lists: .csv .tsv with columns input, output, label and "
+                 "other options of mesh, .txt with a file a line")
+    ->required();
+  command->add_option("--output", options.list.outputFolder, "Folder of the meshes")->required();
+  addCaseListOptions(*command, options.list);
+  addMeshingOptions(*command, options.list.defaults);
+  command->add_option("--jobs", options.jobs, "Cases at once [one for each processor]")->check(CLI::Range(1, 1024));
+  command->add_option("--threads", options.threads, "Threads of each case [the processors, shared by the jobs]")
+    ->check(CLI::Range(1, 1024));
+  command->add_option("--time-limit", options.limits.seconds, "Wall time of a case in seconds")
+    ->check(CLI::Range(0.1, 1e7))
+    ->capture_default_str();
+  command
+    ->add_option("--memory-limit", options.limits.mebibytes, "Address space of a case in MiB; 0: as much as there is")
+    ->check(CLI::Range(0.0, 1e7))
+    ->capture_default_str();
+  command->add_option("--shard", options.shard, "K/M: every M-th case from the K-th, for one of M machines");
+  command->add_flag("--retry-failed", options.retryFailed, "Run cases again that failed before");
+  CLI::Option * dryRun = command->add_flag("--dry-run", options.dryRun, "Say what would be done, and why");
+  CLI::Option * verify =
+    command->add_flag("--verify", options.verify, "Check finished meshes against the journal; run nothing");
+  CLI::Option * list = command->add_option(
+    "--list-cases", options.listCasesFile, "Write the cases and the options of each as a table; run nothing");
+  dryRun->excludes(verify)->excludes(list);
+  verify->excludes(list);
+  command->add_option("--program", options.program, "Run this instead of the program itself")->group("");
+  command->add_flag("--reproducible",
+                    options.reproducible,
+                    "Leave times, threads and memory out of reports and summary: the same files for the same run");
+  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  return command;
+}
+
 int
 reportUsage(const CLI::App & program, const CLI::ParseError & error)
 {
@@ -148,6 +191,8 @@ run(int argc, char ** argv)
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
+  BatchCommandOptions   batchOptions;
+  const CLI::App *      batch = addBatchCommand(program, batchOptions);
   CheckCommandOptions   checkOptions;
   const CLI::App *      check = addCheckCommand(program, checkOptions);
   ConvertCommandOptions convertOptions;

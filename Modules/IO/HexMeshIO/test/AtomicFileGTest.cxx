@@ -7,7 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 using namespace moserhex;
+namespace fs = std::filesystem;
 
 TEST(AtomicFile, NothingIsLeftWithoutCommit)
 {
@@ -76,6 +80,48 @@ TEST(AtomicFile, SignalHandlersCanRemoveUnfinishedFiles)
   EXPECT_EQ(folder.fileCount(), 2u);
   removeUnfinishedFiles();
   EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+TEST(AbandonedParts, OfDeadProcessesAreRemovedAndNothingElse)
+{
+  const TestFolder folder;
+  const pid_t      dead = ::fork();
+  if (dead == 0)
+  {
+    const AtomicFile file(folder / "mesh.vtu");
+    ::_exit(0); // without destructors, as after a kill
+  }
+  ASSERT_EQ(::waitpid(dead, nullptr, 0), dead);
+  const AtomicFile               ofLiving(folder / "mesh.vtu");
+  const std::string              number = std::to_string(dead);
+  const std::vector<std::string> others{
+    ".other." + number + ".part.vtu",      ".mesh." + number + ".part.json", ".mesh.x.part.vtu", ".mesh..part.vtu",
+    ".mesh.99999999999999999999.part.vtu", "mesh." + number + ".part.vtu",   ".mesh.vtu"
+  };
+  for (const std::string & name : others)
+  {
+    std::ofstream(folder / name) << "x";
+  }
+  ASSERT_TRUE(fs::exists(folder / (".mesh." + number + ".part.vtu")));
+  removeAbandonedParts({ folder / "mesh.vtu", folder / "missing/mesh.vtu" });
+  EXPECT_FALSE(fs::exists(folder / (".mesh." + number + ".part.vtu")));
+  EXPECT_TRUE(fs::exists(ofLiving.partName()));
+  for (const std::string & name : others)
+  {
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  }
+  removePartOf(folder / "other.vtu", dead);
+  EXPECT_FALSE(fs::exists(folder / others.front()));
+}
+
+TEST(MakeFolder, MakesWhatIsMissingOrSaysWhyNot)
+{
+  const TestFolder folder;
+  makeFolder(folder / "a/b");
+  makeFolder(folder / "a/b");
+  EXPECT_TRUE(fs::is_directory(folder / "a/b"));
+  std::ofstream(folder / "file") << "x";
+  EXPECT_THROW(makeFolder(folder / "file/c"), IOError);
 }
 
 TEST(WriteTextFile, FullDiskIsReportedAndLeavesNothing)

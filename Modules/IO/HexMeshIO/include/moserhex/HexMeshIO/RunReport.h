@@ -38,7 +38,7 @@ struct RunReport
   struct Input
   {
     std::string               file;
-    std::string               sha256;
+    std::string               sha256;                     ///< sha256OfInput
     std::vector<std::int64_t> labels;                     ///< one, or those that were taken together; none: not read
     std::string               labelName;                  ///< of the one
     Vector3                   spacing{ Vector3::Zero() }; ///< [mm]
