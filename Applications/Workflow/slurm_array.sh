@@ -14,7 +14,7 @@
 #SBATCH --job-name=moserhex
 #SBATCH --ntasks=1
 #SBATCH --cpus-per-task=4
-#SBATCH --mem-per-cpu=1000
+#SBATCH --mem-per-cpu=1500
 #SBATCH --time=04:00:00
 #SBATCH --signal=B:TERM@60
 set -euo pipefail
@@ -51,7 +51,7 @@ work() {
   fi
   # In place of this shell, so that signals reach it.
   exec "$program" batch "$input" --output "$folder" --shard "$SLURM_ARRAY_TASK_ID/$tasks" \
-    --jobs "${SLURM_CPUS_PER_TASK:-1}" --threads 1 --memory-limit "${SLURM_MEM_PER_CPU:-1000}" --quiet "$@"
+    --jobs "${SLURM_CPUS_PER_TASK:-1}" --threads 1 --memory-limit "${SLURM_MEM_PER_CPU:-1500}" --quiet "$@"
 }
 
 if [ -n "${SLURM_ARRAY_TASK_ID:-}" ]; then
