@@ -37,7 +37,6 @@ struct CaseListOptions
   std::vector<std::string> keepColumns; ///< of lists, that are not options: taken over into the summary
   bool                     allLabels{ false }; ///< a mesh of each label where none is named
   MeshCommandOptions       defaults;           ///< where a list says nothing else
-  unsigned int             threads{ 0 };       ///< to read labels with; 0: all of the machine's
 };
 
 struct CaseList
@@ -47,25 +46,35 @@ struct CaseList
   std::vector<std::string> warnings;
 };
 
-/** Lists the cases and checks all names; nothing is written, and images are read only for allLabels.
+/** Lists the cases and checks all names; nothing is written, and images are read only for allLabels, one after the
+ * other: with the sandbox, before other threads work (see readLabelImage).
  *
  * Outputs mirror the inputs: PATH/NAME.nii.gz below a base folder becomes PATH/NAME.vtu below the output folder, with
  * all entities of a BIDS name kept. The base is the folder that was searched; of a list, the folder it lies in; of
- * files and patterns, the deepest folder that holds them all. Inputs of a list are relative to the list's folder,
- * outputs to the output folder. Files within the output folder, hidden ones and parts of Slicer's are never taken from
- * a folder.
+ * files and patterns, the deepest folder that holds them all. Paths are compared as they are written, links in them
+ * are not resolved.
+ *
+ * Of a folder every labelmap counts, known by its ending, that lies in it or below and passes include and exclude (see
+ * SearchFilter), but neither hidden ones nor those behind a link to a folder or in an output folder below it. Files
+ * that exist win over patterns, which find labelmaps and surfaces.
+ *
+ * A list has a column `input`, and may have `output` and any of meshingOptionNames(); an empty cell (or n/a) leaves the
+ * default, and the label `all` stands for allLabels. Its inputs and densities are relative to its folder, its outputs
+ * to the output folder.
  *
  * With allLabels, label 3 called "Left Putamen" of sub-01_dseg.nii.gz becomes sub-01_label-LeftPutamen_dseg.vtu (a BIDS
- * name), of atlas.nrrd it becomes atlas_label-LeftPutamen.vtu; without a name, label-3. Names that are the same but for
- * what is left out of them get the label's number, too. A file whose labels cannot be read is one case, which will fail
- * with the reason.
+ * name; see labelledName), of atlas.nrrd it becomes atlas_label-LeftPutamen.vtu; without a name, label-3. Names that
+ * are the same but for what is left out of them get the label's number, too. Of segments that overlap each is a case
+ * with the option segment. A surface is one case, and so is a file whose labels cannot be read, which will fail with
+ * the reason; so is a row of a list that names a label, a segment or a threshold.
  *
- * Warnings: an input given twice with the same options (made once), outputs that differ in upper and lower case only,
- * inputs of the list that do not exist (their cases fail).
+ * Warnings, one line for all of a kind: inputs given twice with the same options (made once), outputs that differ in
+ * upper and lower case only, inputs or densities that do not exist (their cases fail).
  *
- * \throws UsageError  nothing to do; two cases with one output; an output that is an input; an output outside the
- * output folder; no ending of a mesh or of a labelmap; an unknown column; an option's value, with file and line \throws
- * BadInput, IOError  a list or a folder that cannot be read */
+ * \throws UsageError  nothing to do, in all or in one input; two cases with one output or one report; an output that is
+ * an input, lies outside the output folder, or is a file of the batch itself; no ending of a mesh or of an input; a
+ * column that is neither an option nor kept, or to be kept and not there; an option's value, with file and line
+ * \throws BadInput  an input that does not exist, a list or a folder that cannot be read; IOError */
 [[nodiscard]] CaseList
 listCases(const CaseListOptions & options);
 

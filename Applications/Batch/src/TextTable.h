@@ -22,11 +22,19 @@ struct TextTable
 
 /** Reads a table with a first line of column names: .csv by RFC 4180, separated by commas, or by semicolons where the
  * first line has those and no comma; .tsv separated by tabs. UTF-8 with or without a byte order mark; lines end in LF
- * or CRLF; blank lines do not count; blanks around a cell are cut unless it is quoted.
+ * or CRLF; lines of blanks and empty cells alone do not count; blanks around a cell are cut, those within its quotes
+ * are not; a quote that does not begin a cell is a character like others.
  * \throws BadInput  missing; no column names or the same one twice; a row with other than so many cells, a quote that
- * is not closed or a zero byte, with the number of the line */
+ * is not closed, a carriage return in a line or a zero byte, with the number of the line
+ * \throws IOError   the file cannot be read */
 [[nodiscard]] TextTable
 readTextTable(const std::string & fileName);
+
+/** Reads a text with one cell a line, as a table of one column: blanks around it are cut, blank lines do not count, and
+ * no character means anything. Encoding and ends of lines as above.
+ * \throws BadInput, IOError  as above */
+[[nodiscard]] TextTable
+readTextLines(const std::string & fileName, const std::string & column);
 
 /** One line of a table, with its end. Cells are quoted where they must be; where a spreadsheet would take a cell for a
  * formula (it begins with = + - @, a tab or a carriage return, and is not a number), an apostrophe is put before it.
