@@ -25,17 +25,33 @@ fail() {
   exit 2
 }
 
+# Of batch's options those that say what a case is, which collect has, too: into the array list_options.
+keep_list_options() {
+  list_options=()
+  while [ $# -gt 0 ]; do
+    case $1 in
+      --all-labels | --include=* | --exclude=* | --base=* | --keep-columns=* | --format=*) list_options+=("$1") ;;
+      --include | --exclude | --base | --keep-columns | --format)
+        list_options+=("$1" "${2:-}")
+        shift
+        ;;
+    esac
+    shift
+  done
+}
+
 # The array, and the job that waits for it.
 submit() {
   local tasks=$1 input=$2 folder=$3 array summary
   shift 3
+  keep_list_options "$@"
   [[ $tasks =~ ^[1-9][0-9]*$ ]] || fail "--tasks $tasks: must be a number from 1"
   mkdir -p "$folder/log" # sbatch does not make it, and a job whose log cannot be opened does not start
   array=$(MOSERHEX_SHARDS=$tasks sbatch --parsable --array="1-$tasks" --output="$folder/log/%A_%a.out" \
     "$0" "$input" "$folder" "$@")
   summary=$(sbatch --parsable --job-name=moserhex-summary --ntasks=1 --mem=2000 --time=60 \
     --dependency="afterany:${array%%;*}" --output="$folder/log/%A.out" \
-    --wrap="$(printf '%q ' exec "$program" collect "$folder" --cases "$input" "$@")")
+    --wrap="$(printf '%q ' exec "$program" collect "$folder" "${list_options[@]}" --cases "$input")")
   echo "job ${array%%;*}: $tasks tasks"
   echo "job ${summary%%;*}: $folder/summary.csv"
 }

@@ -84,6 +84,13 @@ expect_number "$(grep -c 'Trying to restart job' output)" 1 "attempts after the 
 expect_in crash/summary.csv "case-03.vtu,missing,"
 expect_number "$(meshes_in crash)" 3 "meshes"
 
+echo "== cases that lack memory get more"
+for shards in 0 1; do
+  expect_status 0 run_snakemake local --config output=memory-$shards shards=$shards memory_mb=40 retries=4
+  expect_in output "Trying to restart job"
+  expect_number "$(meshes_in memory-$shards)" 4 "meshes"
+done
+
 echo "== no list"
 expect_status 1 run_snakemake local --config inputs=nowhere.csv
 expect_in output "No list of cases"

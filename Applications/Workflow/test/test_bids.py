@@ -85,7 +85,7 @@ class Bids(unittest.TestCase):
         self.assertEqual(description["GeneratedBy"][0]["Name"], "MoserHex")
         self.assertRegex(description["GeneratedBy"][0]["Version"], r"^\d+\.\d+\.\d+")
 
-        self.assertEqual(self.run_app("group"), 1, self.words)
+        self.assertEqual(self.run_app("group", "--shells", "3"), 1, self.words)
         with open(f"{self.output}/summary.csv", newline="", encoding="utf-8") as file:
             rows = {row["case"]: row for row in csv.DictReader(file)}
         self.assertEqual(len(rows), 5)
