@@ -49,7 +49,7 @@ submit() {
   mkdir -p "$folder/log" # sbatch does not make it, and a job whose log cannot be opened does not start
   array=$(MOSERHEX_SHARDS=$tasks sbatch --parsable --array="1-$tasks" --output="$folder/log/%A_%a.out" \
     "$0" "$input" "$folder" "$@")
-  summary=$(sbatch --parsable --job-name=moserhex-summary --ntasks=1 --mem=2000 --time=60 \
+  summary=$(sbatch --parsable --job-name=moserhex-summary --ntasks=1 --mem=4000 --time=120 \
     --dependency="afterany:${array%%;*}" --output="$folder/log/%A.out" \
     --wrap="$(printf '%q ' exec "$program" collect "$folder" "${list_options[@]}" --cases "$input")")
   echo "job ${array%%;*}: $tasks tasks"
