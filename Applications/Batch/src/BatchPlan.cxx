@@ -26,12 +26,20 @@ isFaultOfMachine(const std::string & code)
          code == nameOf(ErrorCode::Cancelled);
 }
 
+/** Failures that may be for lack of memory, in the reader, too. */
+bool
+maybeForMemory(const std::string & code)
+{
+  return code == nameOf(ErrorCode::OutOfMemory) || code == nameOf(ErrorCode::TooBig) ||
+         code == nameOf(ErrorCode::ReaderFailed) || code == nameOf(ErrorCode::Crashed);
+}
+
 bool
 isLimitRaised(const JournalEntry & entry, const CaseLimits & limits)
 {
   const bool isUnlimited = limits.mebibytes == 0.0;
   return (entry.code == nameOf(ErrorCode::TimeLimit) && limits.seconds > entry.timeLimit) ||
-         (entry.code == nameOf(ErrorCode::OutOfMemory) && entry.memoryLimit > 0.0 &&
+         (maybeForMemory(entry.code) && entry.memoryLimit > 0.0 &&
           (isUnlimited || limits.mebibytes > entry.memoryLimit));
 }
 

@@ -5,8 +5,6 @@
 #include "CommandErrors.h"
 #include "MeshArguments.h"
 
-#include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>

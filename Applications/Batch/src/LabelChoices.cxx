@@ -4,6 +4,7 @@
 #include "moserhex/HexMeshIO/SurfaceReader.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace moserhex::app

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +27,7 @@ struct SummaryRow
   std::string                   name; ///< of the case
   CaseStatus                    status{ CaseStatus::Missing };
   std::string                   code;    ///< E_TOPOLOGY and so on; empty where done or missing
-  std::string                   message; ///< of a failure
+  std::string                   message; ///< of a failure, or why the report does not count
   std::string                   input;
   std::string                   labels; ///< "3", "1 2"
   std::string                   labelName;
@@ -43,7 +42,8 @@ struct SummaryRow
 summaryFigures();
 
 /** Reads the reports of cases, in parallel; rows in the order of the cases.
- * A report counts only if it names the case's input and, when done, the mesh is there. */
+ * A report counts only if it names the case's input (as it was given, or another name of the same file) and, when done,
+ * the mesh is there. One that is damaged, larger than 16 MiB or not a report of `mesh` does not count. */
 [[nodiscard]] std::vector<SummaryRow>
 summarise(const CaseList & list, unsigned int threads);
 
@@ -72,13 +72,15 @@ struct GroupFigures
 groupFigures(const std::vector<SummaryRow> & rows);
 
 /** Writes the table, one row a case: case, status, code, message, input, labels, label_name, the figures, the kept
- * columns. Complete or not at all. \throws IOError */
+ * columns, which have `list_` before their names where these are taken. Numbers have as many digits as it takes to read
+ * them back, and a point whatever the locale; those that are not known are empty cells. Seconds and memory are left out
+ * where no report has them. Complete or not at all. \throws IOError */
 void
 writeSummaryTable(const std::string &              fileName,
                   const std::vector<SummaryRow> &  rows,
                   const std::vector<std::string> & keptColumns);
 
-/** Writes the group's figures as JSON. \throws IOError */
+/** Writes the group's figures as JSON; those that no case has are left out. Complete or not at all. \throws IOError */
 void
 writeGroupFigures(const std::string & fileName, const GroupFigures & figures);
 

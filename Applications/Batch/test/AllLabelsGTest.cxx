@@ -192,6 +192,19 @@ TEST_F(AllLabels, ARowMayAskForAllLabels)
   EXPECT_EQ(list.cases[2].options.input.label, LabelValue{ 2 });
 }
 
+TEST_F(AllLabels, ARowThatAsksForAllLabelsHasNoOtherChoice)
+{
+  write("a.nrrd", ImageText::nrrd().file());
+  write("list.csv", "input,label\na.nrrd,all\ndamaged.nrrd,all\n");
+  CaseListOptions options = optionsFor({ "list.csv" });
+  options.defaults.input.label = 2;
+  options.defaults.input.threshold = 0.5;
+  const CaseList list = listCases(options);
+  EXPECT_EQ(namesOf(list), (Names{ "a_label-1.vtu", "a_label-2.vtu", "damaged.vtu" }));
+  EXPECT_FALSE(list.cases[0].options.input.threshold);
+  EXPECT_FALSE(list.cases[2].options.input.label);
+}
+
 TEST_F(AllLabels, NamesAreRefusedBeforeAnyFileIsRead)
 {
   write("lists/list.csv", "input\n../a.nrrd\n");

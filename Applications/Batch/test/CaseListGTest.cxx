@@ -243,6 +243,8 @@ TEST_F(CaseListTest, NamesThatTheBatchKeepsAreRefusedAtTheTopOnly)
   expectMentions(message, "rename the input, or give an output column");
   touch({ "deeper/x/summary.nrrd" });
   EXPECT_EQ(names({ "deeper" }), (Names{ "x/summary.vtu" }));
+  touch({ "folders/summary.csv/a.nrrd" });
+  expectMentions(refusalOf({ "folders" }), "its mesh would be summary.csv/a.vtu");
   touch({ "locked/.lock/a.nrrd" });
   CaseListOptions options = optionsFor({ "locked/.lock/a.nrrd" });
   options.base = path("locked");

@@ -30,6 +30,11 @@ TEST(CaseNames, LabelsStandWhereBidsWantsThem)
   EXPECT_EQ(labelledName("sub-01_label-GM_desc-x_mask.vtu", "3"), "sub-01_label-GM+3_desc-x_mask.vtu");
 }
 
+TEST(CaseNames, ExtendedLabelsAreBidsNames)
+{
+  EXPECT_EQ(labelledName("sub-01_label-GM+WM_mask.vtu", "3"), "sub-01_label-GM+WM+3_mask.vtu");
+}
+
 TEST(CaseNames, LabelsStandAtTheEndOfOtherNames)
 {
   EXPECT_EQ(labelledName("atlas.vtu", "3"), "atlas_label-3.vtu");

@@ -95,8 +95,8 @@ TEST_F(ListFile, ListsFromSpreadsheetsAreRead)
 
 TEST_F(ListFile, AListInTheCurrentFolderNeedsNoFolderName)
 {
-  touch({ "a.nrrd", "x/b.nrrd" });
-  write("list.txt", "a.nrrd\nx/b.nrrd\n");
+  touch({ "x/a.nrrd", "x/b.nrrd" });
+  write("list.txt", "x/a.nrrd\nx/b.nrrd\n");
   const fs::path before = fs::current_path();
   fs::current_path(path(""));
   CaseListOptions options;
@@ -104,7 +104,7 @@ TEST_F(ListFile, AListInTheCurrentFolderNeedsNoFolderName)
   options.outputFolder = "out";
   const CaseList list = listCases(options);
   fs::current_path(before);
-  EXPECT_EQ(namesOf(list), (Names{ "a.vtu", "x/b.vtu" }));
+  EXPECT_EQ(namesOf(list), (Names{ "x/a.vtu", "x/b.vtu" }));
   EXPECT_EQ(list.cases[1].options.input.file, "x/b.nrrd");
 }
 

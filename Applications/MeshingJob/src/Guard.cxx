@@ -39,10 +39,18 @@ describeFailure(const std::exception_ptr & exception)
 int
 runGuarded(const std::function<void()> & command)
 {
-  try
-  {
+  return runGuardedForStatus([&command] {
     command();
     return EXIT_SUCCESS;
+  });
+}
+
+int
+runGuardedForStatus(const std::function<int()> & command)
+{
+  try
+  {
+    return command();
   }
   catch (...)
   {

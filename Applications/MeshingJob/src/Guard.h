@@ -21,9 +21,14 @@ struct Failure
 [[nodiscard]] Failure
 describeFailure(const std::exception_ptr & exception);
 
-/** Runs a command; what it throws becomes a line on the standard error output and an exit code. */
+/** Runs a command that is done when it returns; what it throws becomes a line on the standard error output and an exit
+ * code. */
 [[nodiscard]] int
 runGuarded(const std::function<void()> & command);
+
+/** The same for a command that returns its exit code. */
+[[nodiscard]] int
+runGuardedForStatus(const std::function<int()> & command);
 
 /** Opens /dev/null for standard streams that were closed, so that no file of ours gets their number. */
 void

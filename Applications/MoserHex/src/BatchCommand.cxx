@@ -162,13 +162,29 @@ countOf(const std::vector<PlannedCase> & plan, PlannedCase::Action action)
     plan.begin(), plan.end(), [action](const PlannedCase & planned) { return planned.action == action; }));
 }
 
-/** summary.csv and summary.json of a run of all cases; a shard knows only its own. */
+std::string
+summaryTableName(const BatchCommandOptions & options)
+{
+  return (fs::path(options.list.outputFolder) / "summary.csv").string();
+}
+
+std::string
+groupFiguresName(const BatchCommandOptions & options)
+{
+  return (fs::path(options.list.outputFolder) / "summary.json").string();
+}
+
+/** Of a run of all cases; a shard knows only its own. */
 void
-writeSummary(const CaseList & list, const std::string & outputFolder)
+writeSummary(const CaseList & list, const BatchCommandOptions & options)
 {
   const std::vector<SummaryRow> rows = summarise(list, 0);
-  writeSummaryTable((fs::path(outputFolder) / "summary.csv").string(), rows, list.keptColumns);
-  writeGroupFigures((fs::path(outputFolder) / "summary.json").string(), groupFigures(rows));
+  writeSummaryTable(summaryTableName(options), rows, list.keptColumns);
+  writeGroupFigures(groupFiguresName(options), groupFigures(rows));
+  if (!options.quiet)
+  {
+    std::printf("summary %s\n", summaryTableName(options).c_str());
+  }
 }
 
 void
@@ -207,7 +223,7 @@ int
 runLocked(const CaseList & list, const Shard & shard, const BatchCommandOptions & options)
 {
   const Stopwatch          stopwatch;
-  std::vector<std::string> files;
+  std::vector<std::string> files{ summaryTableName(options), groupFiguresName(options) };
   for (const BatchCase & batchCase : list.cases)
   {
     files.push_back(batchCase.options.output);
@@ -235,11 +251,7 @@ runLocked(const CaseList & list, const Shard & shard, const BatchCommandOptions 
   }
   if (shard.isAll() && result.stop != BatchStop::NoRoom)
   {
-    writeSummary(list, options.list.outputFolder);
-    if (!options.quiet)
-    {
-      std::printf("summary %s\n", (fs::path(options.list.outputFolder) / "summary.csv").c_str());
-    }
+    writeSummary(list, options);
   }
   return exitStatusOf(plan, result);
 }

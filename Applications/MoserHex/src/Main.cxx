@@ -1,6 +1,7 @@
 #include "BatchCommand.h"
 #include "CaseListArguments.h"
 #include "CheckCommand.h"
+#include "CollectCommand.h"
 #include "Console.h"
 #include "ConvertCommand.h"
 #include "Guard.h"
@@ -158,6 +159,24 @@ addBatchCommand(CLI::App & program, BatchCommandOptions & options)
   return command;
 }
 
+CLI::App *
+addCollectCommand(CLI::App & program, CollectCommandOptions & options)
+{
+  CLI::App * command =
+    program.add_subcommand("collect", "Put the reports of many runs of mesh into one table with the group's figures");
+  command->add_option("DIR", options.cases.outputFolder, "Folder that holds the reports, at its bottom or below")
+    ->required();
+  command->add_option("--cases",
+                      options.cases.inputs,
+                      "What should have been meshed: folders, labelmaps, surfaces, patterns or lists (.csv .tsv .txt); "
+                      "without it what has a report");
+  addCaseListOptions(*command, options.cases);
+  command->add_option("--csv", options.csvFile, "Table to write, a row for each case [DIR/summary.csv]");
+  command->add_option("--json", options.jsonFile, "Figures of the group to write [DIR/summary.json]");
+  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  return command;
+}
+
 int
 reportUsage(const CLI::App & program, const CLI::ParseError & error)
 {
@@ -171,7 +190,7 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   {
     printError(ErrorCode::Usage,
                "no command " + unknown.front() +
-                 ", there are mesh, check, convert, quality and sample; see moserhex --help");
+                 ", there are mesh, batch, collect, check, convert, quality and sample; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -185,14 +204,15 @@ run(int argc, char ** argv)
   CLI::App program("Volume-preserving structured hexahedral meshes of genus-zero organs", "moserhex");
   program.set_version_flag("--version", versionText());
   program.require_subcommand(1);
-  program.footer(
-    "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 no valid mesh, 70 a fault of the program, 74 input or "
-    "output failed.");
+  program.footer("Exit codes: 0 done, 1 some cases are not done, 2 wrong usage, 3 bad input, 4 no valid mesh, 70 a "
+                 "fault of the program, 74 input or output failed, 75 another run works on the folder.");
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
   BatchCommandOptions   batchOptions;
   const CLI::App *      batch = addBatchCommand(program, batchOptions);
+  CollectCommandOptions collectOptions;
+  const CLI::App *      collect = addCollectCommand(program, collectOptions);
   CheckCommandOptions   checkOptions;
   const CLI::App *      check = addCheckCommand(program, checkOptions);
   ConvertCommandOptions convertOptions;
@@ -213,6 +233,14 @@ run(int argc, char ** argv)
   catch (const CLI::ParseError & error)
   {
     return reportUsage(program, error);
+  }
+  if (batch->parsed())
+  {
+    return runGuardedForStatus([&] { return runBatchCommand(batchOptions); });
+  }
+  if (collect->parsed())
+  {
+    return runGuardedForStatus([&] { return runCollectCommand(collectOptions); });
   }
   if (sample->parsed())
   {

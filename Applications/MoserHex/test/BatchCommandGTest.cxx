@@ -53,7 +53,7 @@ TEST_F(BatchCommand, ResultsDoNotDependOnJobsOrShards)
   writeSolids(5);
   ASSERT_EQ(batch({ "--jobs", "1" }, "one").exitCode, 0);
   ASSERT_EQ(batch({ "--jobs", "3" }, "three").exitCode, 0);
-  EXPECT_EQ(treeOf("one"), treeOf("three"));
+  EXPECT_TRUE(sameTree(treeOf("one"), treeOf("three")));
   ASSERT_EQ(batch({ "--shard", "1/2" }, "shards").exitCode, 0);
   EXPECT_EQ(filesWithEnding("shards", ".vtu"), 3u);
   ASSERT_EQ(batch({ "--shard", "2/2" }, "shards").exitCode, 0);
@@ -61,7 +61,7 @@ TEST_F(BatchCommand, ResultsDoNotDependOnJobsOrShards)
   EXPECT_EQ(linesOf(journals).size(), 3u);
   ASSERT_EQ(batch({}, "shards").exitCode, 0); // nothing to do but the summary
   EXPECT_EQ(contentOf(path("shards/journal.jsonl")), "");
-  EXPECT_EQ(treeOf("one"), treeOf("shards"));
+  EXPECT_TRUE(sameTree(treeOf("one"), treeOf("shards")));
 }
 
 TEST_F(BatchCommand, OnlyWhatChangedIsMadeAgain)

@@ -51,10 +51,11 @@ TEST_F(BatchFaults, PoisonedCasesEndAloneAndAreReported)
   }
   writeFaultyProgram({ { "crash.nrrd", "kill -SEGV $$" },
                        { "hang.nrrd", "trap '' TERM; while :; do sleep 0.1; done" },
-                       { "memory.nrrd", "ulimit -v 100000" } });
-  const Stopwatch stopwatch;
-  const Outcome   outcome = batch({ "--jobs", "2", "--time-limit", "20", "--program", path("faulty.sh") });
-  const double    seconds = stopwatch.seconds();
+                       { "memory.nrrd", "ulimit -v 120000; set -- $(echo \"$@\" | sed s/--shells=2/--shells=24/)" } });
+  const Stopwatch                stopwatch;
+  const std::vector<std::string> arguments{ "--jobs", "2", "--time-limit", "20", "--program", path("faulty.sh") };
+  const Outcome                  outcome = batch(arguments);
+  const double                   seconds = stopwatch.seconds();
   EXPECT_EQ(outcome.exitCode, 1) << outcome.error;
   EXPECT_EQ(filesWithEnding("out", ".vtu"), static_cast<std::size_t>(cases - 3)) << outcome.error;
   const std::string summary = contentOf(path("out/summary.csv"));
@@ -62,7 +63,9 @@ TEST_F(BatchFaults, PoisonedCasesEndAloneAndAreReported)
   EXPECT_NE(summaryRow(summary, "hang.vtu").find("failed,E_TIMEOUT"), std::string::npos) << summary;
   EXPECT_NE(summaryRow(summary, "memory.vtu").find("failed,E_MEMORY"), std::string::npos) << summary;
   EXPECT_NE(contentOf(path("out/hang.json")).find("E_TIMEOUT"), std::string::npos);
-  EXPECT_EQ(batch({ "--program", path("faulty.sh") }).exitCode, 1); // not tried again
+  const Outcome again = batch(arguments);
+  EXPECT_EQ(again.exitCode, 1);
+  EXPECT_EQ(again.error, ""); // not tried again
   EXPECT_EQ(doneEntries().size(), static_cast<std::size_t>(cases - 3));
   std::printf("%d cases, 3 of them poisoned: %.1f s\n", cases, seconds);
 }
@@ -120,7 +123,7 @@ TEST_F(BatchFaults, KillsAtRandomMomentsLoseNothing)
     if (isOver || kill + 1 == kills)
     {
       EXPECT_EQ(batch({ "--jobs", "2" }).exitCode, 1);
-      EXPECT_EQ(treeOf("out"), reference);
+      EXPECT_TRUE(sameTree(treeOf("out"), reference));
       for (const auto & [name, count] : doneEntries())
       {
         EXPECT_EQ(count, 1) << name << " was done more than once";
@@ -135,7 +138,7 @@ TEST_F(BatchFaults, KillsAtRandomMomentsLoseNothing)
 TEST_F(BatchFaults, AFullDiskStopsTheRunAndAnotherOneGoesOn)
 {
   writeSolids(4);
-  const Outcome full = run(batchArguments({ "--jobs", "1" }), 6000); // no file may be larger
+  const Outcome full = run(batchArguments({ "--jobs", "1" }), 3000); // no file may be larger
   EXPECT_EQ(full.exitCode, 74) << full.error;
   EXPECT_EQ(filesWithEnding("out", ".vtu"), 0u);
   EXPECT_NE(full.error.find("no room"), std::string::npos) << full.error;
@@ -146,7 +149,7 @@ TEST_F(BatchFaults, AFullDiskStopsTheRunAndAnotherOneGoesOn)
 TEST_F(BatchFaults, ASignalEndsTheRunSoonAndAnotherOneGoesOn)
 {
   writeSolids(6);
-  writeFaultyProgram({ { "case-003", "sleep 60" } });
+  writeFaultyProgram({ { "case-003", "exec sleep 60" } });
   for (const int signalNumber : { SIGTERM, SIGINT })
   {
     const pid_t process =
@@ -171,7 +174,7 @@ TEST_F(BatchFaults, ASignalEndsTheRunSoonAndAnotherOneGoesOn)
 TEST_F(BatchFaults, ASecondRunIsSentAwayAndAKilledOneHoldsNothing)
 {
   writeSolids(2);
-  writeFaultyProgram({ { "case-001", "sleep 60" } });
+  writeFaultyProgram({ { "case-001", "exec sleep 60" } });
   const pid_t process = startProgram(batchArguments({ "--program", path("faulty.sh") }), m_Root / "streams");
   for (int wait = 0; wait < 600 && !fs::exists(path("out/journal.jsonl")); ++wait)
   {
@@ -203,7 +206,7 @@ TEST_F(BatchFaults, DamagedMeshesAreFoundAndMadeAgain)
     EXPECT_EQ(verified.exitCode, 1) << name;
     EXPECT_NE(verified.error.find("changed"), std::string::npos) << verified.error;
     EXPECT_EQ(batch().exitCode, 0);
-    EXPECT_EQ(treeOf("out"), whole);
+    EXPECT_TRUE(sameTree(treeOf("out"), whole));
   }
   EXPECT_EQ(batch({ "--verify" }).exitCode, 0);
   fs::remove(path("out/case-002.vtu"));

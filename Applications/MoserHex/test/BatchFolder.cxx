@@ -2,6 +2,7 @@
 
 #include "moserhex/HexMeshIO/LabelImageWriter.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -18,9 +19,10 @@ ellipsoid(int number)
   constexpr int size = 16;
   LabelVolume   label;
   label.size = { { size, size, size } };
-  const double a = 5.0 + 0.1 * (number % 10);
-  const double b = 5.0 + 0.1 * (number / 10 % 10);
-  const double c = 5.0 + 0.1 * (number / 100 % 10);
+  label.spacing.x() = 1.0 + 0.001 * number; // no two are alike
+  const double a = 5.0 + 0.2 * (number % 10);
+  const double b = 5.0 + 0.2 * (number / 10 % 10);
+  const double c = 6.0;
   for (int voxel = 0; voxel < size * size * size; ++voxel)
   {
     const double x = (voxel % size - 7.5) / a;
@@ -52,7 +54,7 @@ BatchFolder::writeSolids(int count) const
 {
   for (int number = 1; number <= count; ++number)
   {
-    writeLabelImage(path("in/case-" + threeDigits(number) + ".nrrd"), labelImageOf(ellipsoid(number)));
+    writeLabelImage(path("in/case-" + threeDigits(number) + ".nrrd"), ellipsoid(number));
   }
 }
 
@@ -113,6 +115,29 @@ BatchFolder::treeOf(const std::string & out) const
     }
   }
   return tree;
+}
+
+testing::AssertionResult
+sameTree(const std::map<std::string, std::string> & tree, const std::map<std::string, std::string> & other)
+{
+  for (const auto & [name, bytes] : tree)
+  {
+    if (other.count(name) == 0)
+    {
+      return testing::AssertionFailure() << name << " is in the first only";
+    }
+    const std::string & others = other.at(name);
+    if (bytes != others)
+    {
+      const auto at = static_cast<std::size_t>(
+        std::mismatch(bytes.begin(), bytes.end(), others.begin(), others.end()).first - bytes.begin());
+      const std::size_t from = at < 40 ? 0 : at - 40;
+      return testing::AssertionFailure() << name << " differs at byte " << at << ": ..." << bytes.substr(from, 80)
+                                         << "... and ..." << others.substr(from, 80) << "...";
+    }
+  }
+  return tree.size() == other.size() ? testing::AssertionSuccess()
+                                     : testing::AssertionFailure() << "the second has more files";
 }
 
 std::map<std::string, int>

@@ -10,6 +10,10 @@
 namespace moserhex::app
 {
 
+/** Where two trees of BatchFolder::treeOf differ. */
+[[nodiscard]] testing::AssertionResult
+sameTree(const std::map<std::string, std::string> & tree, const std::map<std::string, std::string> & other);
+
 /** Runs of `moserhex batch` on small solids made in code. */
 class BatchFolder : public CommandTest
 {

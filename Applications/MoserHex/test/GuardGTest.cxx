@@ -55,3 +55,9 @@ TEST(Guard, ACommandThatEndsWellExitsWithZeroAndAnotherWithTheStatusOfItsCode)
   EXPECT_EQ(runGuarded([] { throw std::bad_alloc(); }), 4);
   EXPECT_EQ(runGuarded([] { throw std::logic_error("x"); }), 70);
 }
+
+TEST(Guard, ACommandMayReturnItsExitCode)
+{
+  EXPECT_EQ(runGuardedForStatus([] { return 1; }), 1);
+  EXPECT_EQ(runGuardedForStatus([]() -> int { throw InvalidInput(ErrorCode::Topology, "x"); }), 3);
+}

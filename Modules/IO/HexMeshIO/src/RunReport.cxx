@@ -93,11 +93,14 @@ conditioningJson(const RunReport::Conditioning & conditioning)
 Json
 densityJson(const RunReport::Density & density)
 {
-  return { { "file", density.file },
-           { "sha256", density.sha256 },
-           { "mean", density.mean },
-           { "mass", density.mass },
-           { "mass_per_cell", density.massPerCell } };
+  Json json{ { "file", density.file }, { "sha256", density.sha256 } };
+  if (density.mean > 0.0)
+  {
+    json["mean"] = density.mean;
+    json["mass"] = density.mass;
+    json["mass_per_cell"] = density.massPerCell;
+  }
+  return json;
 }
 
 Json

@@ -107,9 +107,12 @@ TEST(RunReport, WhatWasNotKnownAtAFailureIsLeftOut)
   EXPECT_FALSE(json.contains("conditioning"));
   report.input.sha256 = std::string(64, 'a');
   report.input.labels = { 3 };
+  report.density = RunReport::Density{ "density.nrrd", std::string(64, 'b') };
   json = Json::parse(toJson(report));
   EXPECT_EQ(json["input"]["sha256"], std::string(64, 'a'));
   EXPECT_EQ(json["input"]["label"], 3);
+  EXPECT_EQ(json["density"]["sha256"], std::string(64, 'b'));
+  EXPECT_FALSE(json["density"].contains("mean"));
 }
 
 TEST(RunReport, ReproducibleOneHasNothingThatDiffersFromRunToRun)

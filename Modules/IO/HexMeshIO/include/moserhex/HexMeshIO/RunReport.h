@@ -65,7 +65,7 @@ struct RunReport
   {
     std::string file;
     std::string sha256;
-    double      mean{ 0.0 };        ///< over the label [unit of the image]
+    double      mean{ 0.0 };        ///< over the label, 0: not known [unit of the image]
     double      mass{ 0.0 };        ///< mean times the label's volume [unit of the image * mm^3]
     double      massPerCell{ 0.0 }; ///< what every cell holds [unit of the image * mm^3]
   };
