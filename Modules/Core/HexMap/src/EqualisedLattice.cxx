@@ -149,6 +149,18 @@ EqualisedLattice::uncertifiedCells() const
   return mesh().cellCount() - certifyCells(mesh(), {}, m_Problem.options.threads).positive;
 }
 
+double
+EqualisedLattice::meanScaledJacobian() const
+{
+  const std::size_t cells = mesh().cellCount();
+  double            sum = 0.0;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    sum += hexCellQuality(cellCorners(mesh(), cell)).scaledJacobian;
+  }
+  return sum / static_cast<double>(cells);
+}
+
 EqualisationFlaws
 EqualisedLattice::flaws(LatticeOptimiser & optimiser) const
 {

@@ -104,6 +104,10 @@ public:
   [[nodiscard]] std::size_t
   uncertifiedCells() const;
 
+  /** Over the cells [1]. */
+  [[nodiscard]] double
+  meanScaledJacobian() const;
+
   /** Associates the optimiser's surface points with the present mesh. Does not say whether the cells are equal. */
   [[nodiscard]] EqualisationFlaws
   flaws(LatticeOptimiser & optimiser) const;

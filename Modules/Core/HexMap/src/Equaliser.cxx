@@ -70,6 +70,10 @@ Equaliser::minimise(const std::vector<EqualisationStage> & stages, Boundary boun
   }
   for (std::size_t s = 0; s < stages.size(); ++s)
   {
+    if (stages[s].enoughScaledJacobian <= 1.0 && m_Lattice.meanScaledJacobian() >= stages[s].enoughScaledJacobian)
+    {
+      continue;
+    }
     const Stopwatch stopwatch;
     optimiser.attraction().freeze(x);
     if (boundary == Boundary::OnLevel || s > 0)
@@ -105,6 +109,7 @@ void
 Equaliser::settle(EqualisationStage stage, double goal, const ProgressCallback & progress)
 {
   stage.maximumSteps = settlingSteps;
+  stage.enoughScaledJacobian = EqualisationStage{}.enoughScaledJacobian;
   for (std::size_t round = 0; round < settlingRounds && m_Lattice.deviation() > goal; ++round)
   {
     stage.volumeWeight *= settlingGrowth;
@@ -203,6 +208,7 @@ Equaliser::result() const
   result.concaveCells = volumeQuality(result.mesh).concaveCells;
   result.uncertifiedCells = flaws.uncertified;
   result.smallestScaledJacobian = flaws.scaledJacobian;
+  result.meanScaledJacobian = m_Lattice.meanScaledJacobian();
   result.largestDistance = flaws.distance * m_Lattice.unit();
   result.uncoveredDistance = flaws.uncovered * m_Lattice.unit();
   result.steps = m_Steps;

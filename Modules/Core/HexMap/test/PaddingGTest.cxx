@@ -102,10 +102,30 @@ TEST(Padding, AnglesCountAsMuchAsTheyAreAskedTo)
   const double        strong = meanScaledJacobian(paddingOptions({}));
   const double        weak = meanScaledJacobian(paddingOptions({}, PaddingAngles::Weak));
   EqualisationOptions without = paddingOptions({}, PaddingAngles::Weak);
-  without.directStages.back().angleWeight = 0.0;
+  for (EqualisationStage & stage : without.directStages)
+  {
+    stage.angleWeight = 0.0;
+  }
   const double none = meanScaledJacobian(without);
   EXPECT_GT(strong, weak);
   EXPECT_GT(weak, none);
+}
+
+TEST(Padding, WhatIsFarFromRightAnglesIsMinimisedForLonger)
+{
+  const auto paddedWith = [](const BentEllipsoid & organ, const EqualisationOptions & options) {
+    const HexMesh lattice = equaliseVolumes(organ.lattice(5), organ.distance(), organ.volume()).mesh;
+    return equaliseVolumes(padded(lattice, 2), organ.distance(), organ.volume(), options);
+  };
+  EqualisationOptions shorter = paddingOptions({});
+  shorter.directStages.resize(2);
+  const BentEllipsoid      hook{ Vector3(32.0, 10.0, 10.0), 0.02 };
+  const EqualisationResult afterFew = paddedWith(hook, shorter);
+  const EqualisationResult afterMany = paddedWith(hook, paddingOptions({}));
+  EXPECT_TRUE(afterMany.exact);
+  EXPECT_GE(afterMany.meanScaledJacobian, afterFew.meanScaledJacobian + 0.1);
+  EXPECT_GE(afterMany.smallestScaledJacobian, 0.2);
+  EXPECT_EQ(paddedWith(ball, paddingOptions({})).mesh.nodes, paddedWith(ball, shorter).mesh.nodes);
 }
 
 TEST(Padding, IsTheSameForAnyNumberOfThreads)

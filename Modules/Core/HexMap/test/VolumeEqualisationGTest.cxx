@@ -431,6 +431,21 @@ TEST(VolumeEqualisation, PartOfTheOrganThatTheStartDoesNotReachIsReachedOrReport
   }
 }
 
+TEST(VolumeEqualisation, StageIsLeftOutWhereTheScaledJacobianIsEnough)
+{
+  const auto minimisations = [](double enough) {
+    EqualisationOptions options;
+    options.directStages.push_back(options.directStages.back());
+    options.directStages.back().enoughScaledJacobian = enough;
+    const EqualisationResult result = equaliseVolumes(ball.lattice(4), ball.distance(), ball.volume(), options);
+    EXPECT_TRUE(result.exact);
+    EXPECT_NEAR(result.meanScaledJacobian, summarizeQuality(result.mesh).scaledJacobian.mean, 1e-14);
+    return std::count_if(
+      result.steps.begin(), result.steps.end(), [](const EqualisationStep & step) { return step.name == "minimise"; });
+  };
+  EXPECT_EQ(minimisations(0.1), minimisations(0.999) - 1);
+}
+
 TEST(VolumeEqualisation, NoStepsAtAllAreReported)
 {
   EqualisationOptions options = stages({ 0.1, 50.0, 80.0, 0, 1 });

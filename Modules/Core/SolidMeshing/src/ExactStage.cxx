@@ -222,6 +222,115 @@ private:
   EqualisationOptions  m_OwnFrame;
 };
 
+/** The attempts of padding, one after the other until cells are wide enough for finite elements; what came of each is
+ * noted in the result. */
+class PaddingAttempts
+{
+public:
+  PaddingAttempts(const ExactStage & stage, SolidMeshingResult & result)
+    : m_Stage(stage)
+    , m_Result(result)
+    , m_Start(padded(result.mesh, stage.options.paddingLayers))
+    , m_Own(equalisationOptions(stage.options))
+  {
+    result.exactWithoutPadding = result.equalisation->exact;
+  }
+
+  /** Returns the angles with which the best came about. */
+  PaddingAngles
+  run(const ProgressCallback & progress)
+  {
+    const MeshedSolid  solid(m_Stage, m_Result);
+    PaddingAngles      angles = PaddingAngles::Strong;
+    EqualisationResult best = pad(solid.distance(), angles, "padding", progressBetween(progress, 0.0, 0.4));
+    if (!best.exact || best.smallestScaledJacobian < wantedSmallest)
+    {
+      EqualisationResult other =
+        pad(solid.distance(), PaddingAngles::Weak, "padding, angles count less", progressBetween(progress, 0.4, 0.7));
+      if (std::make_pair(other.exact, other.smallestScaledJacobian) >
+          std::make_pair(best.exact, best.smallestScaledJacobian))
+      {
+        angles = PaddingAngles::Weak;
+        best = std::move(other);
+      }
+    }
+    if (isPoor(best) && tryRounderSolid(best, progressBetween(progress, 0.7, 1.0)))
+    {
+      angles = PaddingAngles::Strong;
+    }
+    keep(std::move(best), m_Result);
+    return angles;
+  }
+
+private:
+  /** Of the scaled Jacobians of a padded mesh [1]: below these another weight of angles, ... */
+  static constexpr double wantedSmallest = 0.2;
+  static constexpr double wantedMean = 0.9;
+  /** ... and a rounder solid is tried. Far enough below the mean wanted for a surface to be given up for it. */
+  static constexpr double poorMean = 0.85;
+
+  [[nodiscard]] static bool
+  isPoor(const EqualisationResult & mesh)
+  {
+    return !mesh.exact || mesh.smallestScaledJacobian < wantedSmallest || mesh.meanScaledJacobian < poorMean;
+  }
+
+  [[nodiscard]] EqualisationResult
+  pad(const SignedDistance &   distance,
+      PaddingAngles            angles,
+      const std::string &      name,
+      const ProgressCallback & progress)
+  {
+    EqualisationResult padding =
+      equaliseVolumes(m_Start, distance, m_Stage.volume, paddingOptions(m_Own, angles), progress);
+    std::ostringstream attempt;
+    attempt << name << (padding.exact ? ": exact" : ": not exact") << ", scaled Jacobian at least "
+            << padding.smallestScaledJacobian << ", on average " << padding.meanScaledJacobian;
+    m_Result.attempts.push_back(attempt.str());
+    return padding;
+  }
+
+  /** The last resort, as without padding, of a lattice that is exact on the solid as it is: replaces the mesh where it
+   * becomes exact with cells as wide as wanted. A solid that is a simpler one already is not made simpler still. */
+  bool
+  tryRounderSolid(EqualisationResult & best, const ProgressCallback & progress)
+  {
+    if (!m_Result.exactWithoutPadding || m_Result.simplerSolid || !m_Stage.options.simplerSolid)
+    {
+      return false;
+    }
+    const std::string       name = "padding, rounder solid";
+    std::optional<LevelSet> rounder = m_Stage.options.simplerSolid(Simplification::Rounder);
+    if (!rounder)
+    {
+      m_Result.attempts.push_back(name + ": too far from the label");
+      return false;
+    }
+    const CubicInterpolator phi(*rounder);
+    try
+    {
+      EqualisationResult padding = pad(signedDistance(phi), PaddingAngles::Strong, name, progress);
+      const bool isWide = padding.smallestScaledJacobian >= wantedSmallest && padding.meanScaledJacobian >= wantedMean;
+      if (padding.exact && (isWide || !best.exact))
+      {
+        best = std::move(padding);
+        m_Result.simplerSolid = std::move(rounder);
+        return true;
+      }
+    }
+    catch (const InvalidInput & error) // the start lies too far from the rounder surface
+    {
+      m_Result.attempts.push_back(name + ": " + error.what());
+    }
+    return false;
+  }
+
+  const ExactStage &   m_Stage;
+  SolidMeshingResult & m_Result;
+  HexMesh              m_Start;
+  EqualisationOptions  m_Own;
+};
+
 } // namespace
 
 void
@@ -238,38 +347,13 @@ makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressC
 void
 padExactly(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress)
 {
-  constexpr double          wantedScaledJacobian = 0.2; // below it the other weight of angles is tried, too
-  const bool                hasDensity = stage.options.density != nullptr;
-  const MeshedSolid         solid(stage, result);
-  const EqualisationOptions own = equalisationOptions(stage.options);
-  const HexMesh             start = padded(result.mesh, stage.options.paddingLayers);
-  const ProgressCallback    ofVolumes = progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0);
-  const auto                padWith = [&](PaddingAngles angles, double from, double to) {
-    EqualisationResult padding = equaliseVolumes(
-      start, solid.distance(), stage.volume, paddingOptions(own, angles), progressBetween(ofVolumes, from, to));
-    std::ostringstream attempt;
-    attempt << (angles == PaddingAngles::Strong ? "padding: " : "padding, angles count less: ")
-            << (padding.exact ? "exact" : "not exact") << ", scaled Jacobian at least "
-            << padding.smallestScaledJacobian;
-    result.attempts.push_back(attempt.str());
-    return padding;
-  };
-  PaddingAngles      angles = PaddingAngles::Strong;
-  EqualisationResult best = padWith(angles, 0.0, 0.5);
-  if (!best.exact || best.smallestScaledJacobian < wantedScaledJacobian)
-  {
-    EqualisationResult other = padWith(PaddingAngles::Weak, 0.5, 1.0);
-    if (std::make_pair(other.exact, other.smallestScaledJacobian) >
-        std::make_pair(best.exact, best.smallestScaledJacobian))
-    {
-      angles = PaddingAngles::Weak;
-      best = std::move(other);
-    }
-  }
-  keep(std::move(best), result);
+  const bool          hasDensity = stage.options.density != nullptr;
+  const PaddingAngles angles =
+    PaddingAttempts(stage, result).run(progressBetween(progress, 0.0, hasDensity ? 0.5 : 1.0));
   if (hasDensity)
   {
-    equaliseMasses(stage, paddingOptions(own, angles), result, progressBetween(progress, 0.5, 1.0));
+    equaliseMasses(
+      stage, paddingOptions(equalisationOptions(stage.options), angles), result, progressBetween(progress, 0.5, 1.0));
   }
 }
 
@@ -295,7 +379,8 @@ requireExact(const SolidMeshingOptions & options, SolidMeshingResult & result)
   }
   if (!equalisation.exact && !options.allowPartial)
   {
-    throw NotConverged(ErrorCode::NotExact, "not exact: " + all, equalisation.report);
+    const std::string what = result.exactWithoutPadding ? "exact without padding, not exact with it: " : "not exact: ";
+    throw NotConverged(ErrorCode::NotExact, what + all, equalisation.report);
   }
 }
 

@@ -28,8 +28,9 @@ void
 makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress);
 
 /** Puts options.paddingLayers of padding around result.mesh and equalises all cells, by volume, or by mass where a
- * density is given; once more, with less weight on angles, where that leaves a narrow corner. Replaces result.mesh and
- * result.equalisation, and result.mass with a density; adds to result.attempts. */
+ * density is given; once more, with less weight on angles, where that leaves a narrow corner, and of a rounder solid
+ * where cells are poor even so. Replaces result.mesh and result.equalisation, and result.mass with a density; sets
+ * result.exactWithoutPadding, and result.simplerSolid with a rounder solid; adds to result.attempts. */
 void
 padExactly(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress);
 

@@ -2,6 +2,7 @@
 // class, bounds well above the measured error; threads: exact.
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
+#include "ExactStage.h"
 #include "moserhex/Analytic/SurfaceShapes.h"
 #include "moserhex/Common/Errors.h"
 
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 using namespace moserhex;
 
@@ -277,6 +280,81 @@ TEST(MeshSolid, PaddingFollowsTheExactStage)
   EXPECT_LE(withPadding.volumeVariance, 1e-18);
   EXPECT_GT(withPadding.scaledJacobian.minimum, lattice.scaledJacobian.minimum + 0.1);
   EXPECT_GT(withPadding.scaledJacobian.mean, lattice.scaledJacobian.mean);
+}
+
+namespace
+{
+
+/** The solid with a hole drilled into it from above, round at its end. */
+OrderedSolid
+drilled(const OrderedSolid & whole, double radius, double end)
+{
+  OrderedSolid        solid = whole;
+  const RegularGrid & grid = solid.phi.grid;
+  solid.volume = 0.0;
+  for (std::size_t node = 0; node < grid.nodeCount(); ++node)
+  {
+    const Vector3 p = grid.point(node);
+    const Vector3 fromAxis(p.x(), p.y(), std::min(0.0, p.z() - end));
+    double &      phi = solid.phi.values[node];
+    phi = std::max(phi, radius - fromAxis.norm());
+    solid.volume += std::min(std::max(0.5 - phi / grid.spacing, 0.0), 1.0) * std::pow(grid.spacing, 3);
+  }
+  return solid;
+}
+
+} // namespace
+
+TEST(MeshSolid, PaddingGoesToARounderSolidWhereCornersStayNarrow)
+{
+  const OrderedSolid  whole = ellipsoid({ 15.0, 12.0, 10.0 }, 0.75);
+  const OrderedSolid  solid = drilled(whole, 2.0, 6.0);
+  SolidMeshingOptions options = withShells(6);
+  options.lastStage = MeshingStage::Exact;
+  options.paddingLayers = 2;
+  options.simplerSolid = [](Simplification) { return std::nullopt; };
+  const SolidMeshingResult asItIs = meshSolid(whole.ordering, whole.phi, solid.phi, solid.volume, options);
+  EXPECT_TRUE(asItIs.exactWithoutPadding);
+  EXPECT_TRUE(asItIs.equalisation->exact);
+  EXPECT_LT(asItIs.equalisation->smallestScaledJacobian, 0.2);
+  EXPECT_FALSE(asItIs.simplerSolid.has_value());
+  EXPECT_EQ(asItIs.attempts.size(), 4u); // the lattice; padding with strong and with weak angles, of a rounder solid
+  EXPECT_EQ(asItIs.attempts.back(), "padding, rounder solid: too far from the label");
+
+  options.simplerSolid = [&whole](Simplification simplification) {
+    EXPECT_EQ(simplification, Simplification::Rounder);
+    return whole.phi;
+  };
+  const SolidMeshingResult rounder = meshSolid(whole.ordering, whole.phi, solid.phi, solid.volume, options);
+  EXPECT_TRUE(rounder.simplerSolid.has_value());
+  EXPECT_TRUE(rounder.equalisation->exact);
+  EXPECT_EQ(rounder.attempts.back().find("padding, rounder solid: exact"), 0u) << rounder.attempts.back();
+  EXPECT_LE(rounder.boundary.maximum, 0.5);
+  const HexQualitySummary & quality = *rounder.stages.back().quality;
+  EXPECT_NEAR(quality.volume, solid.volume, 1e-9 * solid.volume);
+  EXPECT_GE(quality.scaledJacobian.minimum, 0.2);
+  EXPECT_GE(quality.scaledJacobian.mean, 0.9);
+}
+
+TEST(MeshSolid, WhereOnlyPaddingFailsTheMessageSaysSo)
+{
+  const auto messageOf = [](bool exactWithoutPadding) -> std::string {
+    SolidMeshingResult result;
+    result.exactWithoutPadding = exactWithoutPadding;
+    result.equalisation.emplace().shortcomings = { "3 of 1216 cells are concave" };
+    try
+    {
+      requireExact({}, result);
+    }
+    catch (const NotConverged & error)
+    {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string flaw = "3 of 1216 cells are concave";
+  EXPECT_EQ(messageOf(true), "exact without padding, not exact with it: " + flaw);
+  EXPECT_EQ(messageOf(false), "not exact: " + flaw);
 }
 
 TEST(MeshSolid, PaddingOutOfRangeOrOfAnotherStageIsRefused)

@@ -26,7 +26,7 @@ padded(const HexMesh & lattice, int layers);
 /** How much right angles count. */
 enum class PaddingAngles
 {
-  Strong, ///< in all that is done
+  Strong, ///< in all that is done, and for longer where cells are far from right angles
   Weak    ///< half as much while minimising, not while repairing or polishing: for shapes that need all freedom
 };
 

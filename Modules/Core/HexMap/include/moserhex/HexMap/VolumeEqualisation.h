@@ -23,6 +23,8 @@ struct EqualisationStage
   int    maximumSteps{ 60 };    ///< of L-BFGS [1]
   int    power{ 1 };            ///< p, of the mean ratio: larger values lift the worst cells [1]
   double angleWeight{ 0.0 };    ///< w_a, of (1 - scaled Jacobian of a corner)^2 [1]
+  /** The stage is left out where the mean scaled Jacobian of the cells is at least this; above 1: never [1]. */
+  double enoughScaledJacobian{ 2.0 };
 };
 
 struct EqualisationOptions
@@ -76,6 +78,7 @@ struct EqualisationResult
   double                        largestDistance{ 0.0 };        ///< of boundary nodes and quad centres to phi = 0 [mm]
   double                        uncoveredDistance{ 0.0 };      ///< of points of phi = 0 to the mesh's boundary [mm]
   double                        smallestScaledJacobian{ 0.0 }; ///< over the cells [1]
+  double                        meanScaledJacobian{ 0.0 };     ///< over the cells [1]
   bool                          exact{ false }; ///< measures equal, every cell certified, boundary within tolerance
   std::vector<std::string>      shortcomings;   ///< what of that was not reached, and by how much; empty when exact
   std::vector<EqualisationStep> steps;

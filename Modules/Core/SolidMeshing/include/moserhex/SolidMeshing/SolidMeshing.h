@@ -127,8 +127,9 @@ struct SolidMeshingResult
   std::optional<LevelSet>              simplerSolid; ///< the solid that was meshed when it is not phi
   std::string                          turnWarning;  ///< which of the fallback turns was used; empty: none
   std::vector<std::string>             attempts;     ///< of stage J, in order, and what came of each
-  std::optional<MassReport>            mass;         ///< with a density
-  std::optional<EqualisationResult>    equalisation; ///< stage J; its mesh is emptied
+  bool                                 exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
+  std::optional<MassReport>            mass;                         ///< with a density
+  std::optional<EqualisationResult>    equalisation;                 ///< stage J; its mesh is emptied
   std::vector<std::string>             warnings;
 };
 
