@@ -10,6 +10,8 @@ cd "$(dirname "$0")"
 packages="$packages clang-format-14 calculix-ccx gmsh python3-meshio"
 # The Python module and its tests are left out, saying so, where these are absent.
 packages="$packages pybind11-dev python3-dev python3-numpy"
+# A Slurm cluster of one node, and Snakemake, for the test of the workflow; it skips, saying so, where they are absent.
+packages="$packages munge slurmctld slurmd slurm-client snakemake"
 install_packages
 use_ccache
 check_formatting
