@@ -195,7 +195,7 @@ requireInputsKept(const CaseList & list)
   std::set<FileId>                files;
   for (const BatchCase & one : list.cases)
   {
-    for (const std::string & input : { one.options.input.file, one.options.density })
+    for (const std::string & input : { one.options.input.file, one.options.density, one.options.templateMesh })
     {
       if (input.empty())
       {
@@ -226,7 +226,7 @@ warnOfMissingInputs(CaseList & list)
   Finding missing;
   for (const BatchCase & one : list.cases)
   {
-    for (const std::string & input : { one.options.input.file, one.options.density })
+    for (const std::string & input : { one.options.input.file, one.options.density, one.options.templateMesh })
     {
       if (!input.empty() && !fileIdOf(input))
       {

@@ -155,7 +155,8 @@ requestOfRow(const std::string &              list,
     }
     else
     {
-      values.emplace_back(column, column == "density" ? (folder / cell).string() : cell);
+      const bool isFile = column == "density" || column == "template";
+      values.emplace_back(column, isFile ? (folder / cell).string() : cell);
     }
   }
   if (request.options.input.file.empty())

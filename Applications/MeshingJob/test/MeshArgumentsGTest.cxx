@@ -77,7 +77,9 @@ gives(const std::vector<std::string> & arguments, const std::string & name)
 
 TEST(MeshArguments, EveryOptionIsGiven)
 {
-  const std::vector<std::string> arguments = meshingArguments(otherOptions());
+  MeshCommandOptions options = otherOptions();
+  options.templateMesh = "t.vtu"; // contradicts some of the others
+  const std::vector<std::string> arguments = meshingArguments(options);
   for (const std::string & name : meshingOptionNames())
   {
     EXPECT_TRUE(gives(arguments, name)) << name;
@@ -122,6 +124,22 @@ TEST(MeshArguments, StagesComeBackAsTheyWere)
   EXPECT_EQ(set(meshingArguments(options)).stage, "moser");
 }
 
+TEST(MeshArguments, TemplatesComeBackAsTheyWereAndExcludeWhatTheyCannotHave)
+{
+  MeshCommandOptions options;
+  options.templateMesh = "a b/t.vtu";
+  options.align = "none";
+  const MeshCommandOptions again = set(meshingArguments(options));
+  EXPECT_EQ(again.templateMesh, options.templateMesh);
+  EXPECT_EQ(again.align, options.align);
+  EXPECT_EQ(meshingArguments(again), meshingArguments(options));
+  for (const auto & [name, value] : Values{
+         { "padding", "1" }, { "density", "d.nrrd" }, { "way", "fast" }, { "frame", "ridge" }, { "stage", "moser" } })
+  {
+    EXPECT_NE(refusal({ { "template", "t.vtu" }, { name, value } }).find("--template"), std::string::npos) << name;
+  }
+}
+
 TEST(MeshArguments, DefaultsAreGivenTooSoThatOthersDoNotCount)
 {
   MeshCommandOptions flagged;
@@ -158,6 +176,7 @@ TEST(MeshArguments, WrongValuesAreRefusedWithTheOptionsName)
                                             { "stage", "II" },
                                             { "way", "slow" },
                                             { "frame", "x" },
+                                            { "align", "x" },
                                             { "shell-method", "x" },
                                             { "no-sandbox", "maybe" },
                                             { "allow-partial", "maybe" },
