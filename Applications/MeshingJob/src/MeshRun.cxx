@@ -58,6 +58,13 @@ remedyForSolid(const ChosenSolid & solid, const MeshCommandOptions & options, Er
   return code == ErrorCode::Thin ? "use a finer image" : "correct the label in an editor";
 }
 
+[[noreturn]] void
+throwOutOfMemory(const MeshCommandOptions & options)
+{
+  throw NoMeshError(
+    ErrorCode::OutOfMemory, options.input.file, "not enough memory", "use fewer shells or crop the image");
+}
+
 HexMesh
 readTemplate(const MeshCommandOptions & options)
 {
@@ -135,6 +142,10 @@ runPipeline(const ChosenSolid &        solid,
   {
     throw Cancelled();
   }
+  catch (const itk::MemoryAllocationError &)
+  {
+    throwOutOfMemory(options);
+  }
   catch (const itk::ExceptionObject & error)
   {
     throw NoMeshError(
@@ -142,8 +153,7 @@ runPipeline(const ChosenSolid &        solid,
   }
   catch (const std::bad_alloc &)
   {
-    throw NoMeshError(
-      ErrorCode::OutOfMemory, options.input.file, "not enough memory", "use fewer shells or crop the image");
+    throwOutOfMemory(options);
   }
   filter->RemoveAllObservers();
   return filter;

@@ -20,6 +20,10 @@
 #include <clocale>
 #include <cstdlib>
 
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
 namespace moserhex::app
 {
 namespace
@@ -267,6 +271,9 @@ run(int argc, char ** argv)
 int
 main(int argc, char ** argv)
 {
+#ifdef __linux__
+  (void)::prctl(PR_SET_NAME, "moserhex"); // a case of a batch is started by another name of the program
+#endif
   moserhex::app::openMissingStreams();
   moserhex::app::installSignalHandlers();
   return moserhex::app::flushOutput(moserhex::app::run(argc, argv));

@@ -163,4 +163,10 @@ withoutPlace(std::string text)
   return "the reader says: " + text;
 }
 
+void
+throwTooBig(const std::string & fileName)
+{
+  throw BadInput(ErrorCode::TooBig, fileName, "not enough memory for the image", "crop the image around the label");
+}
+
 } // namespace moserhex

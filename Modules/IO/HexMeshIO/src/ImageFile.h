@@ -3,6 +3,8 @@
 #include "ImageDescription.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <itkMacro.h>
+
 #include <new>
 #include <string>
 #include <vector>
@@ -42,6 +44,10 @@ checkedDescription(const std::string & fileName, bool sandboxed);
 [[nodiscard]] std::string
 withoutPlace(std::string text);
 
+/** \throws BadInput (TooBig) */
+[[noreturn]] void
+throwTooBig(const std::string & fileName);
+
 /** Runs `read` and turns what it throws, other than errors of ours, into BadInput about the file. */
 template <typename TRead>
 auto
@@ -57,7 +63,11 @@ withImageErrors(const std::string & fileName, const TRead & read)
   }
   catch (const std::bad_alloc &)
   {
-    throw BadInput(ErrorCode::TooBig, fileName, "not enough memory for the image", "crop the image around the label");
+    throwTooBig(fileName);
+  }
+  catch (const itk::MemoryAllocationError &)
+  {
+    throwTooBig(fileName);
   }
   catch (const std::exception & error)
   {
