@@ -1,5 +1,6 @@
 #include "CaseProcess.h"
 
+#include "moserhex/Common/InstructionSets.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <fcntl.h>
@@ -65,7 +66,7 @@ become(char * const * command, const CaseLimits & limits, int messages, pid_t pa
   (void)::dup2(nowhere, STDOUT_FILENO);
   (void)::dup2(messages, STDERR_FILENO);
   setLimit(RLIMIT_CORE, 0);
-  if (limits.mebibytes > 0.0)
+  if (limits.mebibytes > 0.0 && !MOSERHEX_INSTRUMENTED) // a sanitizer's shadow memory takes terabytes of addresses
   {
     setLimit(RLIMIT_AS, static_cast<rlim_t>(limits.mebibytes * 1024.0 * 1024.0));
   }
