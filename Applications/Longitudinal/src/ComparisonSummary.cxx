@@ -104,11 +104,11 @@ timeLine(const Comparison & comparison, std::size_t time)
   const TimePoint &              point = comparison.series.points[time];
   const TimeComparison &         found = comparison.times[time];
   const std::vector<RegionRow> & rows = comparison.rows[time];
-  const WeightedDistribution &   motion = ofOrgan(rows, "normal_motion");
+  const WeightedDistribution &   motion = ofOrgan(rows, "signed_distance");
   const WeightedDistribution &   stretch = ofOrgan(rows, "largest_stretch");
   const std::string              months = point.months ? formatted("%.4g", *point.months) : "-";
   const std::string name = point.name.size() > 20 ? "..." + point.name.substr(point.name.size() - 17) : point.name;
-  return formatted("%-20s %7s %10.2f %9.2f %8.2f %7.2f %7.2f %9.3f %8.3f %8.3f\n",
+  return formatted("%-20s %7s %10.2f %9.2f %12.2f %7.2f %7.2f %9.3f %8.3f %8.3f\n",
                    name.c_str(),
                    months.c_str(),
                    found.volume / 1000.0,
@@ -184,20 +184,24 @@ writeComparisonSummary(const std::string & folder, const Comparison & comparison
 std::string
 describe(const Comparison & comparison)
 {
-  std::string text =
-    formatted(
-      "%-28s %10s %9s %24s %9s %17s\n", "", "volume", "change", "normal motion [mm]", "strain 1", "largest stretch") +
-    formatted("%-20s %7s %10s %9s %8s %7s %7s %9s %8s %8s\n",
-              "time",
-              "months",
-              "[mL]",
-              "[%]",
-              "p05",
-              "median",
-              "p95",
-              "p95",
-              "p95",
-              "max");
+  std::string text = formatted("%-28s %10s %9s %28s %9s %17s\n",
+                               "",
+                               "volume",
+                               "change",
+                               "surface out (+), in (-) [mm]",
+                               "strain 1",
+                               "largest stretch") +
+                     formatted("%-20s %7s %10s %9s %12s %7s %7s %9s %8s %8s\n",
+                               "time",
+                               "months",
+                               "[mL]",
+                               "[%]",
+                               "p05",
+                               "median",
+                               "p95",
+                               "p95",
+                               "p95",
+                               "max");
   bool allUniform = true;
   for (std::size_t time = 0; time < comparison.times.size(); ++time)
   {
