@@ -192,25 +192,31 @@ filesOf(const TimeSeries & series, const std::string & folder)
 }
 
 void
+writeTimeMesh(const std::string & fileName, const Comparison & comparison, std::size_t time)
+{
+  const TimeComparison & at = comparison.times[time];
+  HexMeshFields          fields;
+  fields.pointArrays = pointArrays(at);
+  fields.cellArrays = cellArrays(at.cells);
+  for (NamedArray & array : regionArrays(comparison.sets, at.mesh.nodesPerSide))
+  {
+    fields.cellArrays.push_back(std::move(array));
+  }
+  writeHexMesh(fileName, at.mesh, fields);
+}
+
+void
 writeTimeMeshes(const std::string & folder, const Comparison & comparison)
 {
   for (std::size_t time = 0; time < comparison.times.size(); ++time)
   {
-    const TimeComparison & at = comparison.times[time];
-    HexMeshFields          fields;
-    fields.pointArrays = pointArrays(at);
-    fields.cellArrays = cellArrays(at.cells);
-    for (NamedArray & array : regionArrays(comparison.sets, at.mesh.nodesPerSide))
-    {
-      fields.cellArrays.push_back(std::move(array));
-    }
-    writeHexMesh(inFolder(folder, meshFileOfTime(time)), at.mesh, fields);
+    writeTimeMesh(inFolder(folder, meshFileOfTime(time)), comparison, time);
   }
   writeTextFile(inFolder(folder, "series.pvd"), collectionText(comparison.series));
 }
 
-void
-writeRegionTable(const std::string & folder, const Comparison & comparison)
+std::string
+regionTable(const Comparison & comparison, char separator)
 {
   std::string text = tableLine({ "time",
                                  "name",
@@ -226,7 +232,7 @@ writeRegionTable(const std::string & folder, const Comparison & comparison)
                                  "median",
                                  "p95",
                                  "max" },
-                               ',');
+                               separator);
   for (std::size_t time = 0; time < comparison.rows.size(); ++time)
   {
     const TimePoint & point = comparison.series.points[time];
@@ -246,10 +252,10 @@ writeRegionTable(const std::string & folder, const Comparison & comparison)
                           numberText(row.values.median),
                           numberText(row.values.p95),
                           numberText(row.values.maximum) },
-                        ',');
+                        separator);
     }
   }
-  writeTextFile(inFolder(folder, "regions.csv"), text);
+  return text;
 }
 
 } // namespace moserhex::app

@@ -30,20 +30,24 @@ meshFileOfTime(std::size_t time);
 [[nodiscard]] std::vector<std::string>
 filesOf(const TimeSeries & series, const std::string & folder);
 
-/** The lattice at each time, aligned, as VTU with what is measured on it, and series.pvd, which ParaView opens as a
- * series in time (months, or numbers where months are not known).
+/** Writes the lattice at one time, aligned, with what is measured on it, as .vtu or .vtk.
  *
  * Point data: Displacement (3) [mm], Thickness (3) and ThicknessChange (3) along i, j, k [mm]; on the boundary, NaN
  * inside: NormalMotion, SignedDistance [mm], AreaRatio of the quadrilaterals around the node [1]. Cell data: DetF,
  * Volumetric, DeformationGradient (9, by rows), Strain (6: xx yy zz xy yz xz), PrincipalStrain (3),
  * PrincipalDirection1, 2, 3 (3 each), DeviatoricStrain, LargestStretch [1]; the number of the cell's region in each set
- * but shells and halves, which overlap: Octants, Boxes.
- * \throws IOError */
+ * but shells and halves, which are there already or overlap: Octants, Boxes.
+ * \throws IOError; InvalidInput, BadInput  as writeHexMesh, of the name */
+void
+writeTimeMesh(const std::string & fileName, const Comparison & comparison, std::size_t time);
+
+/** All of them in a folder, and series.pvd, which ParaView opens as a series in time (months, or numbers where months
+ * are not known). \throws IOError */
 void
 writeTimeMeshes(const std::string & folder, const Comparison & comparison);
 
-/** regions.csv: a row for each time, region and measure. \throws IOError */
-void
-writeRegionTable(const std::string & folder, const Comparison & comparison);
+/** A line with the names of the columns, and one for each time, region and measure. \param separator  ',' or '\t' */
+[[nodiscard]] std::string
+regionTable(const Comparison & comparison, char separator);
 
 } // namespace moserhex::app

@@ -77,7 +77,7 @@ runCompareCommand(const CompareCommandOptions & options)
   const Comparison comparison = compareSeries(std::move(series), options.align, std::move(sets), options.threads);
   makeFolder(options.outputFolder);
   writeTimeMeshes(options.outputFolder, comparison);
-  writeRegionTable(options.outputFolder, comparison);
+  writeTextFile((std::filesystem::path(options.outputFolder) / "regions.csv").string(), regionTable(comparison, ','));
   writeComparisonSummary(options.outputFolder, comparison);
   if (!options.quiet)
   {
