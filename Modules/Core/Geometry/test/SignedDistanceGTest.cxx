@@ -21,6 +21,14 @@ spike()
            { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 }, { 0, 2, 1 }, { 0, 3, 2 } } };
 }
 
+/** A prism along y from 0 to 3 whose upper edge is sharp. */
+TriangleMesh
+ridge()
+{
+  return { { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 0, 20 }, { -1, 3, 0 }, { 1, 3, 0 }, { 0, 3, 20 } },
+           { { 0, 1, 2 }, { 3, 5, 4 }, { 1, 4, 5 }, { 1, 5, 2 }, { 3, 0, 2 }, { 3, 2, 5 }, { 0, 3, 4 }, { 0, 4, 1 } } };
+}
+
 /** The cube [0,1]^3, two triangles a face. */
 TriangleMesh
 cube()
@@ -72,6 +80,36 @@ TEST(SignedDistance, PointsBeyondASharpTipAreOutside)
   EXPECT_NEAR(distance({ 0.04, 0.03, 20.5 }), Vector3(0.04, 0.03, 0.5).norm(), 1e-12);
   EXPECT_LT(distance({ 0, 0, 19 }), 0.0);
   EXPECT_EQ(distance({ 0, 0, 20 }), 0.0);
+}
+
+TEST(SignedDistance, ManyTrianglesOnOneSideOfATipDoNotOutvoteTheOthers)
+{
+  TriangleMesh          surface = spike();
+  constexpr int         parts = 12;
+  std::vector<Triangle> kept(surface.triangles.begin() + 1, surface.triangles.end()); // without the side y = -1
+  std::vector<int>      base{ 0 };
+  for (int part = 1; part < parts; ++part)
+  {
+    base.push_back(static_cast<int>(surface.vertices.size()));
+    surface.vertices.emplace_back(-1.0 + 2.0 * part / parts, -1.0, 0.0);
+  }
+  base.push_back(1);
+  kept.erase(kept.begin() + 3); // { 0, 2, 1 } of the bottom
+  for (std::size_t part = 0; part < parts; ++part)
+  {
+    kept.push_back({ base[part], base[part + 1], 4 });
+    kept.push_back({ base[part], 2, base[part + 1] });
+  }
+  surface.triangles = kept;
+  EXPECT_NEAR(SignedDistance(surface)({ 0.0, 0.045, 20.5 }), std::hypot(0.045, 0.5), 1e-12);
+}
+
+TEST(SignedDistance, PointsBeyondASharpRidgeAreOutside)
+{
+  const SignedDistance distance(ridge());
+  EXPECT_NEAR(distance({ 0.04, 1.0, 20.5 }), std::hypot(0.04, 0.5), 1e-12);
+  EXPECT_NEAR(distance({ -0.04, 1.0, 20.5 }), std::hypot(0.04, 0.5), 1e-12);
+  EXPECT_LT(distance({ 0, 1.0, 19.9 }), 0.0);
 }
 
 TEST(SignedDistance, AnOpenSurfaceIsRefused)
