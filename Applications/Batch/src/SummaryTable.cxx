@@ -4,31 +4,12 @@
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace moserhex::app
 {
 namespace
 {
-
-/** The shortest that is read back as the same number; whole numbers without an exponent; empty when not finite. */
-std::string
-numberText(double value)
-{
-  constexpr double largestWhole = 1e15;
-  if (!std::isfinite(value))
-  {
-    return "";
-  }
-  std::array<char, 32> text{};
-  char * const         end = text.data() + text.size();
-  const bool           isWhole = std::floor(value) == value && std::abs(value) < largestWhole;
-  const auto           result =
-    isWhole ? std::to_chars(text.data(), end, value, std::chars_format::fixed) : std::to_chars(text.data(), end, value);
-  return { text.data(), result.ptr };
-}
 
 double
 figureOf(const SummaryRow & row, const std::string & name)

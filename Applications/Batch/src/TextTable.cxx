@@ -3,8 +3,10 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -318,6 +320,22 @@ tableLine(const std::vector<std::string> & cells, char separator)
     line += '"';
   }
   return line + '\n';
+}
+
+std::string
+numberText(double value)
+{
+  constexpr double largestWhole = 1e15;
+  if (!std::isfinite(value))
+  {
+    return "";
+  }
+  std::array<char, 32> text{};
+  char * const         end = text.data() + text.size();
+  const bool           isWhole = std::floor(value) == value && std::abs(value) < largestWhole;
+  const auto           result =
+    isWhole ? std::to_chars(text.data(), end, value, std::chars_format::fixed) : std::to_chars(text.data(), end, value);
+  return { text.data(), result.ptr };
 }
 
 } // namespace moserhex::app

@@ -42,4 +42,9 @@ readTextLines(const std::string & fileName, const std::string & column);
 [[nodiscard]] std::string
 tableLine(const std::vector<std::string> & cells, char separator);
 
+/** A number in a cell: the shortest that is read back as the same number, in the C locale; whole numbers without an
+ * exponent; empty when not finite. */
+[[nodiscard]] std::string
+numberText(double value);
+
 } // namespace moserhex::app

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace moserhex;
 using namespace moserhex::app;
 
@@ -183,4 +185,13 @@ TEST_F(TextTableFile, LinesComeBackAsTheyWere)
     const std::string names = tableLine({ "a", "b", "c", "d", "e", "f", "g", "h", "i" }, separator);
     EXPECT_EQ(table(names + tableLine(cells, separator), name).rows.at(0).cells, cells);
   }
+}
+
+TEST(TextTable, NumbersComeBackAsTheyWere)
+{
+  EXPECT_EQ(numberText(0.1), "0.1");
+  EXPECT_EQ(numberText(1e12), "1000000000000");
+  EXPECT_EQ(numberText(-3.0), "-3");
+  EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_EQ(std::stod(numberText(1.0 / 3.0)), 1.0 / 3.0);
 }

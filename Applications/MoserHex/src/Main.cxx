@@ -2,6 +2,7 @@
 #include "CaseListArguments.h"
 #include "CheckCommand.h"
 #include "CollectCommand.h"
+#include "CompareCommand.h"
 #include "Console.h"
 #include "ConvertCommand.h"
 #include "Guard.h"
@@ -194,7 +195,7 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   {
     printError(ErrorCode::Usage,
                "no command " + unknown.front() +
-                 ", there are mesh, batch, collect, check, convert, quality and sample; see moserhex --help");
+                 ", there are mesh, batch, collect, check, compare, convert, quality and sample; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -219,6 +220,8 @@ run(int argc, char ** argv)
   const CLI::App *      collect = addCollectCommand(program, collectOptions);
   CheckCommandOptions   checkOptions;
   const CLI::App *      check = addCheckCommand(program, checkOptions);
+  CompareCommandOptions compareOptions;
+  const CLI::App *      compare = addCompareCommand(program, compareOptions);
   ConvertCommandOptions convertOptions;
   const CLI::App *      convert = addConvertCommand(program, convertOptions);
   QualityCommandOptions qualityOptions;
@@ -253,6 +256,10 @@ run(int argc, char ** argv)
   if (check->parsed())
   {
     return runGuarded([&] { runCheckCommand(checkOptions); });
+  }
+  if (compare->parsed())
+  {
+    return runGuarded([&] { runCompareCommand(compareOptions); });
   }
   if (convert->parsed())
   {

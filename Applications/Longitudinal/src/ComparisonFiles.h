@@ -1,0 +1,53 @@
+#pragma once
+
+#include "RegionMeasures.h"
+
+#include <string>
+#include <vector>
+
+namespace moserhex::app
+{
+
+/** All that compare has found. */
+struct Comparison
+{
+  TimeSeries                          series;
+  std::string                         align; ///< rigid | similarity | none
+  std::vector<RegionSet>              sets;
+  std::vector<TimeComparison>         times; ///< of each point of the series, the baseline with itself first
+  std::vector<std::vector<RegionRow>> rows;  ///< of each point
+};
+
+/** Aligns and measures every point of the series. \throws InvalidInput  as the functions of the module Deformation */
+[[nodiscard]] Comparison
+compareSeries(TimeSeries series, const std::string & align, std::vector<RegionSet> sets, unsigned int threads);
+
+/** "time-000.vtu", "time-001.vtu", ... */
+[[nodiscard]] std::string
+meshFileOfTime(std::size_t time);
+
+/** Names of all files that are written to the folder. */
+[[nodiscard]] std::vector<std::string>
+filesOf(const TimeSeries & series, const std::string & folder);
+
+/** Writes the lattice at one time, aligned, with what is measured on it, as .vtu or .vtk.
+ *
+ * Point data: Displacement (3) [mm], Thickness (3) and ThicknessChange (3) along i, j, k [mm]; on the boundary, NaN
+ * inside: NormalMotion, SignedDistance [mm], AreaRatio of the quadrilaterals around the node [1]. Cell data: DetF,
+ * Volumetric, DeformationGradient (9, by rows), Strain (6: xx yy zz xy yz xz), PrincipalStrain (3),
+ * PrincipalDirection1, 2, 3 (3 each), DeviatoricStrain, LargestStretch [1]; the number of the cell's region in each set
+ * but shells and halves, which are there already or overlap: Octants, Boxes.
+ * \throws IOError; InvalidInput, BadInput  as writeHexMesh, of the name */
+void
+writeTimeMesh(const std::string & fileName, const Comparison & comparison, std::size_t time);
+
+/** All of them in a folder, and series.pvd, which ParaView opens as a series in time (months, or numbers where months
+ * are not known). \throws IOError */
+void
+writeTimeMeshes(const std::string & folder, const Comparison & comparison);
+
+/** A line with the names of the columns, and one for each time, region and measure. \param separator  ',' or '\t' */
+[[nodiscard]] std::string
+regionTable(const Comparison & comparison, char separator);
+
+} // namespace moserhex::app

@@ -1,0 +1,216 @@
+#include "ComparisonSummary.h"
+
+#include "Version.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
+#include "moserhex/HexMeshIO/InputChecksum.h"
+
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace moserhex::app
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+constexpr double uniform = 1e-6; ///< larger differences are no rounding of coordinates in a file [1]
+
+Json
+vectorJson(const Vector3 & v)
+{
+  return { v[0], v[1], v[2] };
+}
+
+Json
+alignmentJson(const SimilarityTransform & alignment)
+{
+  const Matrix3 & R = alignment.rotation;
+  return { { "scale", alignment.scale },
+           { "rotation", { vectorJson(R.row(0)), vectorJson(R.row(1)), vectorJson(R.row(2)) } },
+           { "translation_mm", vectorJson(alignment.translation) },
+           { "rotation_degrees", 180.0 / std::acos(-1.0) * Eigen::AngleAxisd(R).angle() } };
+}
+
+Json
+distributionJson(const WeightedDistribution & values)
+{
+  return { { "mean", values.mean },     { "min", values.minimum }, { "p05", values.p05 },
+           { "median", values.median }, { "p95", values.p95 },     { "max", values.maximum } };
+}
+
+Json
+measuresJson(const std::vector<RegionRow> & rows)
+{
+  Json json;
+  for (const RegionRow & row : rows)
+  {
+    if (row.set == "organ")
+    {
+      json[row.measure + (row.unit == "mm" ? "_mm" : "")] = distributionJson(row.values);
+    }
+  }
+  return json;
+}
+
+Json
+stretchJson(const LargestStretch & largest)
+{
+  return { { "stretch", largest.stretch },
+           { "cell", largest.cell },
+           { "place_mm", vectorJson(largest.place) },
+           { "direction", vectorJson(largest.direction) } };
+}
+
+Json
+timeJson(const Comparison & comparison, std::size_t time)
+{
+  const TimePoint &      point = comparison.series.points[time];
+  const TimeComparison & found = comparison.times[time];
+  return { { "name", point.name },
+           { "months", point.months ? Json(*point.months) : Json() },
+           { "file", point.file },
+           { "sha256", sha256OfInput(point.file) },
+           { "mesh", meshFileOfTime(time) },
+           { "volume_mm3", found.volume },
+           { "volume_change_percent", found.volumeChange },
+           { "alignment", alignmentJson(found.alignment) },
+           { "uniform_growth", isUniformGrowth(found.cells) },
+           { "largest_stretch",
+             time == 0 ? Json()
+                       : stretchJson(largestStretchOf(comparison.series.points.front().lattice, found.cells)) },
+           { "organ", measuresJson(comparison.rows[time]) } };
+}
+
+template <typename... TValues>
+std::string
+formatted(const char * format, TValues... values)
+{
+  std::array<char, 200> line{};
+  std::snprintf(line.data(), line.size(), format, values...);
+  return line.data();
+}
+
+std::string
+timeLine(const Comparison & comparison, std::size_t time)
+{
+  const TimePoint &              point = comparison.series.points[time];
+  const TimeComparison &         found = comparison.times[time];
+  const std::vector<RegionRow> & rows = comparison.rows[time];
+  const WeightedDistribution &   motion = ofOrgan(rows, "signed_distance");
+  const WeightedDistribution &   stretch = ofOrgan(rows, "largest_stretch");
+  const std::string              months = point.months ? formatted("%.4g", *point.months) : "-";
+  const std::string name = point.name.size() > 20 ? "..." + point.name.substr(point.name.size() - 17) : point.name;
+  return formatted("%-20s %7s %10.2f %9.2f %12.2f %7.2f %7.2f %9.3f %8.3f %8.3f\n",
+                   name.c_str(),
+                   months.c_str(),
+                   found.volume / 1000.0,
+                   found.volumeChange,
+                   motion.p05,
+                   motion.median,
+                   motion.p95,
+                   ofOrgan(rows, "strain_1").p95,
+                   stretch.p95,
+                   stretch.maximum);
+}
+
+} // namespace
+
+LargestStretch
+largestStretchOf(const HexMesh & baseline, const CellDeformation & cells)
+{
+  const auto largest =
+    std::max_element(cells.strain.begin(), cells.strain.end(), [](const CellStrain & a, const CellStrain & b) {
+      return a.largestStretch < b.largestStretch;
+    });
+  const auto cell = static_cast<std::size_t>(largest - cells.strain.begin());
+  const auto m = static_cast<std::size_t>(baseline.nodesPerSide - 1);
+  Vector3    sum = Vector3::Zero();
+  for (const Vector3 & corner : cellCorners(baseline, cell))
+  {
+    sum += corner;
+  }
+  return { largest->largestStretch,
+           { static_cast<int>(cell % m), static_cast<int>(cell / m % m), static_cast<int>(cell / (m * m)) },
+           sum / 8.0,
+           largest->directions.col(0) };
+}
+
+bool
+isUniformGrowth(const CellDeformation & cells)
+{
+  return std::all_of(
+    cells.volumetric.begin(), cells.volumetric.end(), [](double value) { return std::abs(value) <= uniform; });
+}
+
+const WeightedDistribution &
+ofOrgan(const std::vector<RegionRow> & rows, const std::string & measure)
+{
+  const auto found = std::find_if(
+    rows.begin(), rows.end(), [&](const RegionRow & row) { return row.set == "organ" && row.measure == measure; });
+  if (found == rows.end())
+  {
+    throw InvalidInput("no measure " + measure + " of the organ");
+  }
+  return found->values;
+}
+
+void
+writeComparisonSummary(const std::string & folder, const Comparison & comparison)
+{
+  Json json{ { "program", "moserhex compare" },
+             { "version", version },
+             { "units", "mm" },
+             { "align", comparison.align },
+             { "nodes_per_side", comparison.series.points.front().lattice.nodesPerSide },
+             { "padding_left_out", comparison.series.paddingLayers },
+             { "times", Json::array() } };
+  for (std::size_t time = 0; time < comparison.times.size(); ++time)
+  {
+    json["times"].push_back(timeJson(comparison, time));
+  }
+  json["warnings"] = Json(comparison.series.warnings);
+  writeTextFile((std::filesystem::path(folder) / "summary.json").string(),
+                json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string
+describe(const Comparison & comparison)
+{
+  std::string text = formatted("%-28s %10s %9s %28s %9s %17s\n",
+                               "",
+                               "volume",
+                               "change",
+                               "surface out (+), in (-) [mm]",
+                               "strain 1",
+                               "largest stretch") +
+                     formatted("%-20s %7s %10s %9s %12s %7s %7s %9s %8s %8s\n",
+                               "time",
+                               "months",
+                               "[mL]",
+                               "[%]",
+                               "p05",
+                               "median",
+                               "p95",
+                               "p95",
+                               "p95",
+                               "max");
+  bool allUniform = true;
+  for (std::size_t time = 0; time < comparison.times.size(); ++time)
+  {
+    text += timeLine(comparison, time);
+    allUniform = allUniform && isUniformGrowth(comparison.times[time].cells);
+  }
+  text += allUniform ? "cells grow alike by construction: local growth shows in stretch, surface and thickness only\n"
+                     : "cells grow differently: see Volumetric, where the lattice follows material\n";
+  return text;
+}
+
+} // namespace moserhex::app

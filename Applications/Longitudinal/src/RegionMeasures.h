@@ -1,0 +1,44 @@
+#pragma once
+
+#include "RegionChoice.h"
+#include "TimeComparison.h"
+#include "moserhex/Deformation/WeightedDistribution.h"
+
+#include <string>
+#include <vector>
+
+namespace moserhex::app
+{
+
+/** A number for every cell or for every boundary quadrilateral. */
+struct Measure
+{
+  std::string         name;
+  std::string         unit; ///< mm; 1
+  bool                isOfSurface{ false };
+  std::vector<double> values; ///< (n-1)^3, or 6 (n-1)^2 of the surface
+};
+
+/** displacement, volumetric, strain_1, strain_2, strain_3, deviatoric_strain and largest_stretch of cells;
+ * normal_motion, signed_distance, thickness_change and area_ratio of the surface: of its nodes the mean around a
+ * quadrilateral, the thickness along the axis that leads through it. */
+[[nodiscard]] std::vector<Measure>
+measuresOf(const TimeComparison & comparison);
+
+/** A measure in a region at one time. */
+struct RegionRow
+{
+  std::string          set;
+  std::string          region;
+  std::string          measure;
+  std::string          unit;
+  WeightedDistribution values;        ///< weights: volume or area of the baseline [mm^3 or mm^2]
+  double               volume{ 0.0 }; ///< of the region at that time, organ as it was read [mm^3]
+};
+
+/** Every measure of the whole organ (set "organ") and of each region; those of the surface only where the region has
+ * some. \throws InvalidInput  as cellFractions */
+[[nodiscard]] std::vector<RegionRow>
+regionRows(const HexMesh & baseline, const TimeComparison & comparison, const std::vector<RegionSet> & sets);
+
+} // namespace moserhex::app

@@ -1,0 +1,139 @@
+// Exact: exit codes, streams and files of moserhex compare. Numbers of boxes to 1e-9.
+#include "CommandTest.h"
+
+#include "TextTable.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using namespace moserhex;
+using namespace moserhex::app;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+HexMesh
+block(int n, const Vector3 & size, const Vector3 & origin)
+{
+  HexMesh mesh{ n, {}, 0 };
+  for (int node = 0; node < n * n * n; ++node)
+  {
+    mesh.nodes.emplace_back(Vector3(node % n, node / n % n, node / (n * n)).cwiseProduct(size) / (n - 1) + origin);
+  }
+  return mesh;
+}
+
+class CompareCommand : public CommandTest
+{
+protected:
+  void
+  SetUp() override
+  {
+    CommandTest::SetUp();
+    writeHexMesh(path("a.vtu"), block(4, { 10, 10, 10 }, { 0, 0, 0 }));
+    writeHexMesh(path("b.vtu"), block(4, { 12, 10, 10 }, { 50, 0, 0 }));
+    writeHexMesh(path("c.vtu"), block(4, { 14, 10, 10 }, { -50, 0, 7 }));
+  }
+};
+
+} // namespace
+
+TEST_F(CompareCommand, ThreeTimesGiveASeriesATableAndASummary)
+{
+  const Outcome outcome = run({ "compare",
+                                path("a.vtu"),
+                                path("b.vtu"),
+                                path("c.vtu"),
+                                "--times",
+                                "0,12,24",
+                                "--names",
+                                "first,second,third",
+                                "--output",
+                                path("out") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_NE(outcome.out.find("\nsecond                    12       1.20     20.00 "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("cells grow alike by construction"), std::string::npos);
+
+  const std::string series = contentOf(path("out/series.pvd"));
+  EXPECT_NE(series.find("<DataSet timestep=\"24\" part=\"0\" file=\"time-002.vtu\"/>"), std::string::npos) << series;
+  EXPECT_LE((readHexMesh(path("out/time-002.vtu")).nodes[0] - Vector3(-2, 0, 0)).norm(), 1e-9); // aligned
+
+  const auto summary = nlohmann::json::parse(contentOf(path("out/summary.json")));
+  ASSERT_EQ(summary["times"].size(), 3u);
+  EXPECT_EQ(summary["align"], "rigid");
+  EXPECT_NEAR(summary["times"][2]["volume_change_percent"].get<double>(), 40.0, 1e-9);
+  EXPECT_NEAR(summary["times"][2]["organ"]["normal_motion_mm"]["max"].get<double>(), 2.0, 1e-9);
+  EXPECT_NEAR(summary["times"][2]["largest_stretch"]["stretch"].get<double>(), 1.4 / std::cbrt(1.4), 1e-9);
+  EXPECT_TRUE(summary["times"][0]["largest_stretch"].is_null());
+  EXPECT_TRUE(summary["times"][2]["uniform_growth"].get<bool>());
+
+  const TextTable table = readTextTable(path("out/regions.csv"));
+  // 3 times, 11 measures of the organ, of 8 octants and of the outer shell, 7 of the inner one
+  EXPECT_EQ(table.rows.size(), 3u * (11 * 10 + 7));
+  EXPECT_EQ(table.rows.back().cells[1], "third");
+}
+
+TEST_F(CompareCommand, AlignmentAndRegionsAreChosen)
+{
+  std::ofstream(path("boxes.csv")) << "name,imin,imax,jmin,jmax,kmin,kmax\napex,0,1,0,1,0,0.25\n";
+  ASSERT_EQ(run({ "compare",
+                  path("a.vtu"),
+                  path("b.vtu"),
+                  "--align",
+                  "none",
+                  "--regions",
+                  "halves," + path("boxes.csv"),
+                  "--output",
+                  path("out"),
+                  "--quiet" })
+              .out,
+            "");
+  EXPECT_EQ(readHexMesh(path("out/time-001.vtu")).nodes[0], Vector3(50, 0, 0));
+  const std::string table = contentOf(path("out/regions.csv"));
+  EXPECT_NE(table.find("1,b,,halves,left,"), std::string::npos);
+  EXPECT_NE(table.find("1,b,,boxes,apex,"), std::string::npos);
+  EXPECT_EQ(table.find("octants"), std::string::npos);
+}
+
+TEST_F(CompareCommand, TheSameBytesForAnyNumberOfThreads)
+{
+  for (const std::string threads : { "1", "3" })
+  {
+    ASSERT_EQ(
+      run({ "compare", path("a.vtu"), path("c.vtu"), "--threads", threads, "--output", path(threads) }).exitCode, 0);
+  }
+  for (const char * name : { "series.pvd", "time-000.vtu", "time-001.vtu", "regions.csv", "summary.json" })
+  {
+    EXPECT_EQ(contentOf(fs::path(path("1")) / name), contentOf(fs::path(path("3")) / name)) << name;
+  }
+}
+
+TEST_F(CompareCommand, RefusesWithCodesAndWritesNothing)
+{
+  writeHexMesh(path("large.vtu"), block(6, { 10, 10, 10 }, { 0, 0, 0 }));
+  const std::size_t files = fileCount();
+  expectErrorCode(run({ "compare", path("a.vtu"), path("large.vtu"), "--output", path("out") }), "E_PRECONDITION");
+  expectErrorCode(run({ "compare", path("a.vtu"), "--output", path("out") }), "E_USAGE");
+  expectErrorCode(run({ "compare", path("a.vtu"), path("b.vtu") }), "E_USAGE");
+  expectErrorCode(run({ "compare", path("a.vtu"), path("no.vtu"), "--output", path("out") }), "E_NOINPUT");
+  expectErrorCode(run({ "compare", path("a.vtu"), path("b.vtu"), "--times", "5,1", "--output", path("out") }),
+                  "E_USAGE");
+  expectErrorCode(run({ "compare", path("a.vtu"), path("b.vtu"), "--regions", "x", "--output", path("out") }),
+                  "E_USAGE");
+  expectErrorCode(run({ "compare", path("a.vtu"), path("b.vtu"), "--output", path("a.vtu") }), "E_CANTCREAT");
+  EXPECT_EQ(fileCount(), files);
+}
+
+TEST_F(CompareCommand, AMeshThatIsReadIsNotOverwritten)
+{
+  fs::create_directory(path("out"));
+  fs::copy_file(path("a.vtu"), path("out/time-000.vtu"));
+  expectErrorCode(run({ "compare", path("out/time-000.vtu"), path("b.vtu"), "--output", path("out") }), "E_USAGE");
+}

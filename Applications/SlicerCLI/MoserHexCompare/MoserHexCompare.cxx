@@ -1,0 +1,92 @@
+// The Slicer module MoserHexCompare: options and outputs only; the work is compareSeries().
+#include "ComparisonSummary.h"
+#include "ModuleProgram.h"
+#include "MoserHexCompareXml.h"
+#include "OutputName.h"
+#include "TextTable.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
+
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+using namespace moserhex;
+using namespace moserhex::slicer;
+
+app::CompareCommandOptions
+optionsOf(const ModuleArguments & arguments)
+{
+  app::CompareCommandOptions options;
+  options.meshes = { arguments.text("baseline"), arguments.text("followUp") };
+  options.align = arguments.text("align");
+  options.regions = { arguments.text("regions") };
+  return options;
+}
+
+/** \throws UsageError  the model's name is of no mesh, or an output is an input */
+void
+requireUsableNames(const app::CompareCommandOptions & options, const ModuleArguments & arguments)
+{
+  app::requireHexMeshName(arguments.text("outputModel"));
+  for (const std::string & mesh : options.meshes)
+  {
+    app::requireKept(mesh, arguments.text("outputModel"));
+    app::requireKept(mesh, arguments.text("regionTable"));
+  }
+}
+
+SimpleOutputs
+measurementsOf(const app::Comparison & comparison)
+{
+  const app::TimeComparison &  last = comparison.times.back();
+  const WeightedDistribution & surface = app::ofOrgan(comparison.rows.back(), "signed_distance");
+  const WeightedDistribution & stretch = app::ofOrgan(comparison.rows.back(), "largest_stretch");
+  return { { "baselineVolume", app::numberText(comparison.times.front().volume) },
+           { "followUpVolume", app::numberText(last.volume) },
+           { "volumeChange", app::numberText(last.volumeChange) },
+           { "surfaceOut05", app::numberText(surface.p05) },
+           { "surfaceOut50", app::numberText(surface.median) },
+           { "surfaceOut95", app::numberText(surface.p95) },
+           { "largestStretch95", app::numberText(stretch.p95) },
+           { "warnings", std::to_string(comparison.series.warnings.size()) },
+           { "uniformGrowth", app::isUniformGrowth(last.cells) ? "yes" : "no" } };
+}
+
+SimpleOutputs
+run(const ModuleArguments & arguments, ModuleProgress & progress)
+{
+  constexpr double                 afterReading = 0.4;
+  constexpr double                 afterComparing = 0.7;
+  const app::CompareCommandOptions options = optionsOf(arguments);
+  requireUsableNames(options, arguments);
+  progress.comment("reading the meshes");
+  app::TimeSeries             series = app::readTimeSeries(options);
+  std::vector<app::RegionSet> sets = app::chosenRegions(options.regions, series.points.front().lattice.nodesPerSide);
+  progress.show(afterReading);
+  progress.comment("comparing");
+  const app::Comparison comparison =
+    app::compareSeries(std::move(series), options.align, std::move(sets), options.threads);
+  progress.show(afterComparing);
+  progress.comment("writing");
+  app::writeTimeMesh(arguments.text("outputModel"), comparison, 1);
+  if (arguments.has("regionTable"))
+  {
+    writeTextFile(arguments.text("regionTable"), app::regionTable(comparison, '\t'));
+  }
+  for (const std::string & warning : comparison.series.warnings)
+  {
+    std::printf("warning: %s\n", oneLine(warning, 190).c_str());
+  }
+  return measurementsOf(comparison);
+}
+
+} // namespace
+
+int
+main(int argc, char ** argv)
+{
+  return runModule(argc, argv, moserHexCompareXml, run);
+}

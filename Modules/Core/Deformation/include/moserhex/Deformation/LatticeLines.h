@@ -1,0 +1,16 @@
+#pragma once
+
+#include "moserhex/Geometry/HexMesh.h"
+
+namespace moserhex
+{
+
+/** Thickness of the organ along the lattice, at every node: entry a of node (i,j,k) is the length of the lattice line
+ * along axis a through it, from one face of the cube through the organ to the opposite one, the sum of its n-1 edges.
+ *
+ * Chords of a smooth line are shorter than it by O(h^2). \return n^3 x 3 [mm] \throws InvalidInput  as requireLattice
+ */
+[[nodiscard]] Positions
+latticeLineLengths(const HexMesh & mesh);
+
+} // namespace moserhex

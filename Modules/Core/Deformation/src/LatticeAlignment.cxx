@@ -1,0 +1,57 @@
+#include "moserhex/Deformation/LatticeAlignment.h"
+
+#include "moserhex/Common/Errors.h"
+
+#include <string>
+
+namespace moserhex
+{
+
+void
+requireComparable(const HexMesh & baseline, const HexMesh & followUp)
+{
+  requireLattice(baseline);
+  requireLattice(followUp);
+  if (baseline.nodesPerSide != followUp.nodesPerSide)
+  {
+    throw InvalidInput("lattices of " + std::to_string(baseline.nodesPerSide) + " and " +
+                       std::to_string(followUp.nodesPerSide) + " nodes a side, must have as many");
+  }
+}
+
+SimilarityTransform
+latticeAlignment(const HexMesh & followUp, const HexMesh & baseline, AlignmentKind kind)
+{
+  requireComparable(baseline, followUp);
+  switch (kind)
+  {
+    case AlignmentKind::None:
+      return {};
+    case AlignmentKind::Rigid:
+      return rigidAlignment(followUp.nodes, baseline.nodes);
+    case AlignmentKind::Similarity:
+      return similarityAlignment(followUp.nodes, baseline.nodes);
+  }
+  return {};
+}
+
+HexMesh
+transformed(const HexMesh & mesh, const SimilarityTransform & transform)
+{
+  return { mesh.nodesPerSide, transformed(mesh.nodes, transform), mesh.paddingLayers };
+}
+
+Positions
+displacements(const HexMesh & baseline, const HexMesh & followUp)
+{
+  requireComparable(baseline, followUp);
+  Positions result;
+  result.reserve(baseline.nodes.size());
+  for (std::size_t node = 0; node < baseline.nodes.size(); ++node)
+  {
+    result.push_back(followUp.nodes[node] - baseline.nodes[node]);
+  }
+  return result;
+}
+
+} // namespace moserhex
