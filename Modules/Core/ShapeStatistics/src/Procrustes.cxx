@@ -16,6 +16,17 @@ namespace
 /** Subjects in memory at the same time; fixed, so that sums do not depend on the threads. */
 constexpr std::size_t subjectsAtOnce = 16;
 
+Vector3
+centroidOf(const Positions & points)
+{
+  Vector3 sum = Vector3::Zero();
+  for (const Vector3 & p : points)
+  {
+    sum += p;
+  }
+  return sum / static_cast<double>(points.size());
+}
+
 /** A plain mean smaller than this part of the subjects' size has cancelled out. */
 constexpr double smallestPlainSize = 0.1;
 
@@ -124,14 +135,34 @@ plainMean(std::size_t count, const SubjectLoader & load, unsigned int threads, d
 
 } // namespace
 
+double
+centroidSize(const Positions & points)
+{
+  if (points.empty())
+  {
+    throw InvalidInput("centroid size: no point");
+  }
+  const Vector3 centroid = centroidOf(points);
+  double        sum = 0.0;
+  for (const Vector3 & p : points)
+  {
+    sum += (p - centroid).squaredNorm();
+  }
+  return std::sqrt(sum);
+}
+
 SimilarityTransform
 alignToMean(const Positions & subject, const Positions & mean, AlignmentKind kind, double size)
 {
-  if (kind != AlignmentKind::Similarity)
+  if (kind == AlignmentKind::None)
   {
-    return alignPoints(subject, mean, kind);
+    return {};
   }
-  SimilarityTransform result = alignPoints(subject, mean, AlignmentKind::Rigid);
+  SimilarityTransform result = rigidAlignment(subject, mean);
+  if (kind == AlignmentKind::Rigid)
+  {
+    return result;
+  }
   result.scale = size / centroidSize(subject);
   result.translation = centroidOf(mean) - result.scale * (result.rotation * centroidOf(subject));
   return result;
@@ -156,7 +187,7 @@ generalisedProcrustes(std::size_t count, const SubjectLoader & load, const Procr
     const auto     align = [&](std::size_t subject) {
       const Positions points = load(subject);
       result.transforms[subject] = alignToMean(points, result.mean, options.kind, result.size);
-      return transformed(result.transforms[subject], points);
+      return transformed(points, result.transforms[subject]);
     };
     forEachSubject(count, options.threads, align, [&](std::size_t subject, const Positions & points) {
       sum.add(subject, points);

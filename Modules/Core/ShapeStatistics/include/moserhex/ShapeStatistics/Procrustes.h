@@ -1,7 +1,7 @@
 #pragma once
 
 #include "moserhex/Common/StepReport.h"
-#include "moserhex/ShapeStatistics/PointAlignment.h"
+#include "moserhex/Geometry/RigidAlignment.h"
 
 #include <cstddef>
 #include <functional>
@@ -9,6 +9,18 @@
 
 namespace moserhex
 {
+
+/** What is taken out of the differences between subjects. */
+enum class AlignmentKind
+{
+  None,      ///< nothing: places are compared as they are
+  Rigid,     ///< place and turn; size stays
+  Similarity ///< place, turn and size
+};
+
+/** sqrt(sum |p - centroid|^2), the usual size of a set of landmarks [mm]. \throws InvalidInput  no point */
+[[nodiscard]] double
+centroidSize(const Positions & points);
 
 /** The points of a subject, the same number and order for all [mm]. Called by several threads at once, once for every
  * subject and step: subjects need not be in memory together. */
@@ -31,9 +43,9 @@ struct ProcrustesResult
   StepReport                       report;           ///< residual: last move of the mean over its centroid size [1]
 };
 
-/** Brings a subject onto a mean: as alignPoints, but with Similarity the scale is size / (its centroid size), so that
- * every subject gets the same size and none shrinks because it fits badly.
- * \throws InvalidInput  as alignPoints */
+/** Brings a subject onto a mean by rigidAlignment; with Similarity the scale is size / (its centroid size), so that
+ * every subject gets the same size and none shrinks because it fits badly. None gives the identity.
+ * \throws InvalidInput  as rigidAlignment */
 [[nodiscard]] SimilarityTransform
 alignToMean(const Positions & subject, const Positions & mean, AlignmentKind kind, double size);
 
@@ -46,9 +58,9 @@ alignToMean(const Positions & subject, const Positions & mean, AlignmentKind kin
  * differ so much that their plain mean is degenerate. With None: one step, the plain mean.
  *
  * \param count  of subjects, >= 1
- * \throws InvalidInput  no subject, other numbers of points, tolerance or steps out of range, or as alignPoints (names
- * the subject)
- * \note `converged` is false when the tolerance is not met. O(points) memory. Deterministic for any number of threads.
+ * \throws InvalidInput  no subject, other numbers of points, tolerance or steps out of range, or as rigidAlignment
+ * (names the subject) \note `converged` is false when the tolerance is not met. O(points) memory. Deterministic for any
+ * number of threads.
  */
 [[nodiscard]] ProcrustesResult
 generalisedProcrustes(std::size_t count, const SubjectLoader & load, const ProcrustesOptions & options = {});
