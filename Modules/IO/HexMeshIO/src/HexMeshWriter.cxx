@@ -15,6 +15,12 @@ namespace moserhex
 namespace
 {
 
+bool
+isVtkName(const std::string & fileName)
+{
+  return endsWithAny(fileName, { ".vtu", ".vtk" });
+}
+
 void
 requireSize(const char * what, std::size_t actual, std::size_t expected)
 {
@@ -22,6 +28,40 @@ requireSize(const char * what, std::size_t actual, std::size_t expected)
   {
     throw InvalidInput(std::string("writeHexMesh: ") + std::to_string(actual) + " " + what + ", need " +
                        std::to_string(expected));
+  }
+}
+
+void
+requireUsable(const NamedArray & array, std::size_t places)
+{
+  if (array.name.empty())
+  {
+    throw InvalidInput("writeHexMesh: an array has no name");
+  }
+  if (array.components != 1 && array.components != 3 && array.components != 6 && array.components != 9)
+  {
+    throw InvalidInput("writeHexMesh: array " + array.name + " has " + std::to_string(array.components) +
+                       " components, need 1, 3, 6 or 9");
+  }
+  requireSize(
+    ("values of " + array.name).c_str(), array.values.size(), places * static_cast<std::size_t>(array.components));
+}
+
+void
+requireUsableArrays(const std::string & fileName, const HexMesh & mesh, const HexMeshFields & fields)
+{
+  const bool isAny = !fields.pointArrays.empty() || !fields.cellArrays.empty();
+  if (isAny && !isVtkName(fileName))
+  {
+    throw InvalidInput("writeHexMesh: named arrays are written to .vtu and .vtk only");
+  }
+  for (const NamedArray & array : fields.pointArrays)
+  {
+    requireUsable(array, mesh.nodes.size());
+  }
+  for (const NamedArray & array : fields.cellArrays)
+  {
+    requireUsable(array, mesh.cellCount());
   }
 }
 
@@ -66,12 +106,6 @@ checkedVolumeRatios(const HexMesh & mesh, const HexMeshFields & fields)
     ratio /= mean;
   }
   return ratios;
-}
-
-bool
-isVtkName(const std::string & fileName)
-{
-  return endsWithAny(fileName, { ".vtu", ".vtk" });
 }
 
 /** \param fileName  an ending other than VTK's */
@@ -161,7 +195,8 @@ writeHexMesh(const std::string &          fileName,
                    "not a mesh file's name",
                    std::string("give a name that ends with ") + hexMeshEndings);
   }
-  std::vector<double>  ratios = checkedVolumeRatios(mesh, fields);
+  std::vector<double> ratios = checkedVolumeRatios(mesh, fields);
+  requireUsableArrays(fileName, mesh, fields);
   const HexMeshContent content{ mesh, fields, std::move(ratios), shellOfCells(mesh) };
   AtomicFile           file(fileName);
   if (isVtkName(fileName))

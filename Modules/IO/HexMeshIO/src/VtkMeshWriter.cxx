@@ -79,6 +79,22 @@ vectorArray(const char * name, const Positions & values)
   return array;
 }
 
+/** \throws InvalidInput  the name is taken */
+void
+addArray(vtkFieldData & data, const NamedArray & named)
+{
+  if (data.HasArray(named.name.c_str()) == 1)
+  {
+    throw InvalidInput("writeHexMesh: there is an array " + named.name + " already");
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(named.name.c_str());
+  array->SetNumberOfComponents(named.components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(named.values.size()) / named.components);
+  std::copy(named.values.begin(), named.values.end(), array->GetPointer(0));
+  data.AddArray(array);
+}
+
 /** A fresh grid for each file: what an earlier writer cached in the arrays would change the bytes. */
 vtkSmartPointer<vtkUnstructuredGrid>
 makeGrid(const HexMeshContent & content)
@@ -112,6 +128,14 @@ makeGrid(const HexMeshContent & content)
   if (!fields.label.empty())
   {
     grid->GetCellData()->AddArray(integerArray("Label", fields.label));
+  }
+  for (const NamedArray & array : fields.pointArrays)
+  {
+    addArray(*grid->GetPointData(), array);
+  }
+  for (const NamedArray & array : fields.cellArrays)
+  {
+    addArray(*grid->GetCellData(), array);
   }
   return grid;
 }

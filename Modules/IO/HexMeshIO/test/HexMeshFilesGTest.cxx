@@ -5,6 +5,7 @@
 #include "FullDisk.h"
 #include "TestFolder.h"
 #include "TestLattice.h"
+#include "moserhex/Analytic/Refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -33,6 +34,18 @@ readByVtk(const std::string & fileName)
   reader->SetFileName(fileName.c_str());
   reader->Update();
   return reader->GetOutput();
+}
+
+/** 1/3, 2/3, 3/3 ... */
+NamedArray
+numberedArray(const std::string & name, int components, std::size_t places)
+{
+  NamedArray array{ name, components, {} };
+  for (std::size_t value = 1; value <= places * static_cast<std::size_t>(components); ++value)
+  {
+    array.values.push_back(static_cast<double>(value) / 3.0);
+  }
+  return array;
 }
 
 void
@@ -140,6 +153,56 @@ TEST(HexMeshWriter, VtuCarriesItsFieldsAndSpace)
   auto * space = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("SPACE"));
   ASSERT_TRUE(space);
   EXPECT_EQ(space->GetValue(0), "LPS");
+}
+
+TEST(HexMeshWriter, NamedArraysOfEveryShapeAreReadByVtk)
+{
+  const TestFolder folder;
+  const HexMesh    mesh = bentLattice(4);
+  HexMeshFields    fields;
+  for (const int components : { 1, 3, 6, 9 })
+  {
+    fields.pointArrays.push_back(numberedArray("Node" + std::to_string(components), components, mesh.nodes.size()));
+    fields.cellArrays.push_back(numberedArray("Cell" + std::to_string(components), components, mesh.cellCount()));
+  }
+  fields.pointArrays.front().values[5] = std::nan("");
+  writeHexMesh(folder / "mesh.vtu", mesh, fields);
+  writeHexMesh(folder / "mesh.vtk", mesh, fields);
+  for (const auto & grid : { readByVtk<vtkXMLUnstructuredGridReader>(folder / "mesh.vtu"),
+                             readByVtk<vtkUnstructuredGridReader>(folder / "mesh.vtk") })
+  {
+    EXPECT_TRUE(std::isnan(grid->GetPointData()->GetArray("Node1")->GetTuple1(5)));
+    for (const int components : { 1, 3, 6, 9 })
+    {
+      auto * ofNodes = grid->GetPointData()->GetArray(("Node" + std::to_string(components)).c_str());
+      auto * ofCells = grid->GetCellData()->GetArray(("Cell" + std::to_string(components)).c_str());
+      ASSERT_TRUE(ofNodes && ofCells) << components;
+      EXPECT_EQ(ofNodes->GetNumberOfComponents(), components);
+      EXPECT_EQ(ofNodes->GetNumberOfTuples(), 64);
+      EXPECT_EQ(ofCells->GetNumberOfTuples(), 27);
+      EXPECT_EQ(ofNodes->GetComponent(63, components - 1), 64.0 * components / 3.0);
+      EXPECT_EQ(ofCells->GetComponent(2, 0), (2.0 * components + 1.0) / 3.0);
+    }
+  }
+}
+
+TEST(HexMeshWriter, NamedArraysThatCannotBeWrittenAreRefused)
+{
+  const TestFolder folder;
+  const HexMesh    mesh = bentLattice(4);
+  const auto       refusal = [&](const NamedArray & array, const char * file = "mesh.vtu") {
+    HexMeshFields fields;
+    fields.cellArrays.push_back(array);
+    return analytic::messageOf([&] { writeHexMesh(folder / file, mesh, fields); });
+  };
+  const std::vector<double> values(27, 1.0);
+  EXPECT_EQ(refusal({ "Mine", 1, values }), "accepted");
+  EXPECT_NE(refusal({ "", 1, values }).find("no name"), std::string::npos);
+  EXPECT_NE(refusal({ "Shell", 1, values }).find("an array Shell already"), std::string::npos);
+  EXPECT_NE(refusal({ "Mine", 2, std::vector<double>(54, 1.0) }).find("2 components"), std::string::npos);
+  EXPECT_NE(refusal({ "Mine", 3, values }).find("27 values of Mine, need 81"), std::string::npos);
+  EXPECT_NE(refusal({ "Mine", 1, values }, "mesh.msh").find(".vtu and .vtk only"), std::string::npos);
+  EXPECT_EQ(folder.fileCount(), 1u);
 }
 
 TEST(HexMeshWriter, VtuWithoutSpaceTagHasNoFieldData)

@@ -10,12 +10,23 @@
 namespace moserhex
 {
 
+/** An array under a name of its own. */
+struct NamedArray
+{
+  std::string         name;            ///< not that of another array, ours (LatticeIndex, ...) among them
+  int                 components{ 1 }; ///< 1, 3 (vector), 6 (symmetric tensor xx yy zz xy yz xz) or 9 (tensor by rows)
+  std::vector<double> values;          ///< components x nodes or cells, those of one together; NaN: no value
+};
+
 /** What is written beside the mesh. LatticeIndex (node), Shell and VolumeRatio (cell) are always there. */
 struct HexMeshFields
 {
   std::vector<double> scaledJacobian; ///< per cell, written as ScaledJacobian; empty: left out
 
   std::vector<std::int32_t> label; ///< per cell, written as Label; empty: left out
+
+  std::vector<NamedArray> pointArrays; ///< per node; .vtu and .vtk only
+  std::vector<NamedArray> cellArrays;  ///< per cell; .vtu and .vtk only
 };
 
 enum class GmshVersion
@@ -57,7 +68,8 @@ isHexMeshName(const std::string & fileName);
  * mm. The file is read back and compared (nodes, connectivity, coordinates; .feb and .exo byte by byte) before it gets
  * its name. The same mesh gives the same bytes. All but VTK's formats take memory for the whole file.
  *
- * \throws InvalidInput  sizes do not fit, a coordinate is not finite, or the mean cell volume is not positive
+ * \throws InvalidInput  sizes do not fit, a coordinate is not finite, or the mean cell volume is not positive; a named
+ *                       array has another number of components, no name or one that is taken, or another format
  * \throws BadInput      the name has none of the endings
  * \throws IOError       the file cannot be written (disk full, no permission) or reads back differently */
 void
