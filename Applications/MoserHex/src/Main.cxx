@@ -1,3 +1,4 @@
+#include "AtlasCommand.h"
 #include "BatchCommand.h"
 #include "CaseListArguments.h"
 #include "CheckCommand.h"
@@ -190,7 +191,7 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   {
     printError(ErrorCode::Usage,
                "no command " + unknown.front() +
-                 ", there are mesh, batch, collect, check, convert, quality and sample; see moserhex --help");
+                 ", there are mesh, batch, collect, atlas, check, convert, quality and sample; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -219,6 +220,8 @@ run(int argc, char ** argv)
   const CLI::App *      convert = addConvertCommand(program, convertOptions);
   QualityCommandOptions qualityOptions;
   const CLI::App *      quality = addQualityCommand(program, qualityOptions);
+  AtlasCommandOptions   atlasOptions;
+  const CLI::App *      atlas = addAtlasCommand(program, atlasOptions);
   std::string           sampleFolder;
   bool                  sampleQuiet = false;
   CLI::App *            sample =
@@ -241,6 +244,10 @@ run(int argc, char ** argv)
   if (collect->parsed())
   {
     return runGuardedForStatus([&] { return runCollectCommand(collectOptions); });
+  }
+  if (atlas->parsed())
+  {
+    return runGuarded([&] { runAtlasCommand(atlasOptions); });
   }
   if (sample->parsed())
   {

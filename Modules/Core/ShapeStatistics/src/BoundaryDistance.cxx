@@ -64,7 +64,7 @@ struct Boundary
 SignedDistance
 boundaryDistance(const HexMesh & mesh)
 {
-  requireLattice(mesh);
+  requireValid(mesh);
   const auto boundary = std::make_shared<const Boundary>(boundaryTriangles(mesh));
   return [boundary](const Vector3 & point, Vector3 & gradient) { return boundary->distance(point, gradient); };
 }

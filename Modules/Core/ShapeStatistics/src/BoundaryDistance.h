@@ -8,7 +8,7 @@ namespace moserhex
 
 /** Signed distance to the boundary of a mesh, each quadrilateral as two triangles; the sign, and the gradient, are
  * those of the vertex normals, interpolated at the nearest point. Shares what it needs of the mesh.
- * \throws InvalidInput  as requireLattice(mesh) */
+ * \throws InvalidInput  as requireValid(mesh) */
 [[nodiscard]] SignedDistance
 boundaryDistance(const HexMesh & mesh);
 

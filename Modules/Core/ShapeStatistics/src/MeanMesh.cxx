@@ -61,7 +61,7 @@ nameShortcomings(MeanMeshResult & result)
 MeanMeshResult
 equalVolumeMean(const HexMesh & mean, unsigned int threads, const ProgressCallback & progress)
 {
-  requireLattice(mean);
+  requireValid(mean);
   if (mean.nodesPerSide < 3)
   {
     throw InvalidInput("mean mesh: 2 nodes a side, need at least 3");

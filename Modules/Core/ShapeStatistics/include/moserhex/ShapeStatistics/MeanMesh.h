@@ -31,8 +31,8 @@ struct MeanMeshResult
  * first order. Where that leaves cells that are not certified (certifyCells), by all of equaliseVolumes, with the
  * mean's own boundary as the organ's surface.
  *
- * \param mean  a lattice without padding, n >= 3
- * \throws InvalidInput  as requireLattice(mean), n < 3, or a volume that is not positive
+ * \param mean  n >= 3 nodes a side; with padding all cells count
+ * \throws InvalidInput  as requireValid(mean), n < 3, or a volume that is not positive
  * \throws Cancelled     by the callback
  * \note Never throws for a mesh that is not exact: `exact` and `shortcomings` say so. Deterministic for any number of
  * threads. */
