@@ -23,7 +23,7 @@ struct AtlasOptions
 
   std::string              group;      ///< column with two values; empty: no comparison of groups
   std::string              regressor;  ///< column of numbers; empty: no regression
-  std::vector<std::string> covariates; ///< columns, nuisance of both
+  std::vector<std::string> covariates; ///< columns, nuisance of both tests; not of that of itself
   std::size_t              permutations{ 10000 };
   std::uint64_t            seed{ 1 };
 

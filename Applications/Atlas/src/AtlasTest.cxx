@@ -55,9 +55,12 @@ runTest(AtlasTest             test,
   std::vector<Column> columns{ effect };
   for (const std::string & covariate : options.covariates)
   {
-    columns.push_back(numbersOfColumn(subjects, covariate));
+    if (covariate != test.column)
+    {
+      columns.push_back(numbersOfColumn(subjects, covariate));
+      test.covariates.push_back(covariate);
+    }
   }
-  test.covariates = options.covariates;
   test.subjects = completeSubjects(columns);
   const LinearDesign design = designOf(columns, test.subjects);
   if (!test.groups.empty())
