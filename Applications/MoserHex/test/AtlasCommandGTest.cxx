@@ -180,7 +180,7 @@ TEST_F(AtlasCommand, Refusals)
   expectErrorCode(atlas("table.csv", "out", { "--modes", "0" }), "E_USAGE");
   expectErrorCode(atlas("table.csv", "out", { "--modes", "120%" }), "E_USAGE");
   expectErrorCode(atlas("m/1.vtu", "out"), "E_PRECONDITION");
-  expectErrorCode(atlas("m/9.vtu", "out"), "E_NOINPUT");
+  expectErrorCode(atlas("m/1.vtu", "out", { path("m/9.vtu") }), "E_NOINPUT");
   expectErrorCode(atlas("m", "out", { "--project", path("table.csv") }), "E_FORMAT");
   expectErrorCode(atlas("table.csv", "out", { "--group", "group", "--project", path("model.json") }), "E_USAGE");
   writeHexMesh(path("m/other.vtu"), boxOf(1, 6));
