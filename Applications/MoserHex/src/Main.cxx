@@ -1,3 +1,4 @@
+#include "AtlasCommand.h"
 #include "BatchCommand.h"
 #include "CaseListArguments.h"
 #include "CheckCommand.h"
@@ -195,7 +196,7 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   {
     printError(ErrorCode::Usage,
                "no command " + unknown.front() +
-                 ", there are mesh, batch, collect, check, compare, convert, quality and sample; see moserhex --help");
+                 ", there are mesh, batch, collect, atlas, check, compare, convert, quality, sample and transfer; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -226,6 +227,8 @@ run(int argc, char ** argv)
   const CLI::App *      convert = addConvertCommand(program, convertOptions);
   QualityCommandOptions qualityOptions;
   const CLI::App *      quality = addQualityCommand(program, qualityOptions);
+  AtlasCommandOptions   atlasOptions;
+  const CLI::App *      atlas = addAtlasCommand(program, atlasOptions);
   std::string           sampleFolder;
   bool                  sampleQuiet = false;
   CLI::App *            sample =
@@ -248,6 +251,10 @@ run(int argc, char ** argv)
   if (collect->parsed())
   {
     return runGuardedForStatus([&] { return runCollectCommand(collectOptions); });
+  }
+  if (atlas->parsed())
+  {
+    return runGuarded([&] { runAtlasCommand(atlasOptions); });
   }
   if (sample->parsed())
   {

@@ -1,0 +1,158 @@
+#include "AtlasRun.h"
+
+#include "moserhex/Common/Parallel.h"
+#include "moserhex/HexMeshIO/FileErrors.h"
+
+#include <cmath>
+
+namespace moserhex::app
+{
+namespace
+{
+
+void
+requireEnough(const AtlasSubjects & subjects)
+{
+  if (subjects.subjects.size() < 2)
+  {
+    throw BadInput(ErrorCode::Precondition,
+                   subjects.subjects.empty() ? "atlas" : subjects.subjects.front().mesh,
+                   std::to_string(subjects.subjects.size()) + " subjects, need at least 2",
+                   "give more meshes");
+  }
+}
+
+/** Finds a column that is not there before any work is done. */
+void
+requireColumns(const AtlasSubjects & subjects, const AtlasOptions & options)
+{
+  if (!options.group.empty())
+  {
+    (void)groupsOfColumn(subjects, options.group);
+  }
+  std::vector<std::string> numbers = options.covariates;
+  if (!options.regressor.empty())
+  {
+    numbers.push_back(options.regressor);
+  }
+  for (const std::string & column : numbers)
+  {
+    (void)numbersOfColumn(subjects, column);
+  }
+}
+
+ProcrustesResult
+align(const SubjectFile & nodes, const AtlasOptions & options)
+{
+  ProcrustesOptions procrustes;
+  procrustes.kind = options.alignment;
+  procrustes.threads = options.threads;
+  return generalisedProcrustes(
+    nodes.subjects(), [&](std::size_t subject) { return pointsOf(nodes.readSubject(subject)); }, procrustes);
+}
+
+/** Puts the aligned subjects in the place of those that were read. \return distances to the mean */
+std::vector<double>
+replaceByAligned(SubjectFile & nodes, const ProcrustesResult & alignment, unsigned int threads)
+{
+  const Eigen::VectorXd mean = coordinatesOf(alignment.mean);
+  std::vector<double>   distances(nodes.subjects());
+  parallelFor(nodes.subjects(), threads, [&](std::size_t subject) {
+    const Positions       points = pointsOf(nodes.readSubject(subject));
+    const Eigen::VectorXd aligned = coordinatesOf(transformed(points, alignment.transforms[subject]));
+    distances[subject] = (aligned - mean).norm() / std::sqrt(static_cast<double>(points.size()));
+    nodes.writeSubject(subject, aligned);
+  });
+  return distances;
+}
+
+/** The model, the scores in standard deviations, and how good the model is. */
+void
+fitModel(AtlasResult & result, const SubjectFile & aligned, const AtlasOptions & options)
+{
+  ShapeModelOptions model;
+  model.maximumModes = options.maximumModes;
+  model.varianceFraction = options.maximumModes > 0 ? 1.0 : options.varianceFraction;
+  model.threads = options.threads;
+  ShapeModelResult fit;
+  try
+  {
+    fit = fitShapeModel(aligned, model);
+  }
+  catch (const InvalidInput & error)
+  {
+    throw BadInput(error.code(), result.subjects.subjects.front().mesh, error.what(), "give meshes that differ");
+  }
+  const Eigen::Index kept = fit.model.modes.cols();
+  result.scores = fit.scores.leftCols(kept) * fit.model.variances.cwiseSqrt().cwiseInverse().asDiagonal();
+  result.model.shape = std::move(fit.model);
+  if (aligned.subjects() >= 3)
+  {
+    ModelQualityOptions quality;
+    quality.maximumModes = static_cast<std::size_t>(kept);
+    quality.samples = options.samples;
+    quality.seed = options.seed;
+    quality.threads = options.threads;
+    result.quality = modelQuality(fit.scores, aligned.columns() / 3, quality);
+  }
+}
+
+/** Of tests that leave subjects out, of an alignment that did not end, of a mean that is not exact. */
+void
+addWarnings(AtlasResult & result)
+{
+  if (!result.alignment.report.converged)
+  {
+    result.warnings.push_back("alignment: " + result.alignment.report.note);
+  }
+  for (const AtlasTest & test : result.tests)
+  {
+    const std::size_t left = result.subjects.subjects.size() - test.subjects.size();
+    if (left > 0)
+    {
+      result.warnings.push_back(test.name + ": " + std::to_string(left) + " subjects without a value are left out");
+    }
+  }
+  result.warnings.insert(result.warnings.end(), result.mean.shortcomings.begin(), result.mean.shortcomings.end());
+}
+
+} // namespace
+
+AtlasResult
+analyse(const AtlasOptions & options, const std::function<void(double)> & progress)
+{
+  AtlasResult result;
+  result.subjects = listAtlasSubjects(options.inputs, options.outputFolder);
+  requireEnough(result.subjects);
+  requireColumns(result.subjects, options);
+  SubjectMeshes meshes =
+    readSubjectMeshes(result.subjects, options, [&](double fraction) { progress(0.3 * fraction); });
+  result.figures = meshes.figures;
+  result.warnings = meshes.warnings;
+
+  result.alignment = align(*meshes.nodes, options);
+  result.distances = replaceByAligned(*meshes.nodes, result.alignment, options.threads);
+  progress(0.4);
+  fitModel(result, *meshes.nodes, options);
+  result.model.nodesPerSide = meshes.nodesPerSide;
+  result.model.paddingLayers = meshes.paddingLayers;
+  result.model.alignment = options.alignment;
+  result.model.size = result.alignment.size;
+  result.model.subjects = meshes.nodes->subjects();
+  result.covariances = pointCovariances(*meshes.nodes, options.threads);
+  progress(0.5);
+  result.mean = equalVolumeMean(meshOf(result.model, result.model.shape.mean), options.threads);
+  progress(0.6);
+  result.tests = runAtlasTests(result.subjects, *meshes.nodes, options);
+  progress(0.9);
+  addWarnings(result);
+  return result;
+}
+
+std::string
+modeColumn(std::size_t mode)
+{
+  return "mode_" + std::to_string(mode + 1);
+}
+
+} // namespace moserhex::app

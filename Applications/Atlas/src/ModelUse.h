@@ -1,0 +1,24 @@
+#pragma once
+
+#include "AtlasOptions.h"
+
+#include <string>
+#include <vector>
+
+namespace moserhex::app
+{
+
+/** Brings the meshes of the inputs onto the mean of options.projectOnto, writes their scores (scores.csv in the output
+ * folder, with what the model cannot express of each) and returns warnings.
+ * \throws UsageError, BadInput  also for meshes of another lattice than the model's; IOError */
+[[nodiscard]] std::vector<std::string>
+projectMeshes(const AtlasOptions & options);
+
+/** Makes a mesh, SUBJECT.vtu in the output folder, of every row of a table of scores: columns mode_1, mode_2, ... in
+ * standard deviations, a missing or empty one is 0; `subject` gives the names, else the row's number. \return warnings,
+ * of meshes with cells that are not certified \throws UsageError, BadInput  also for a score that is no number, a mode
+ * that the model does not have, or two rows of one name; IOError */
+[[nodiscard]] std::vector<std::string>
+reconstructMeshes(const AtlasOptions & options);
+
+} // namespace moserhex::app

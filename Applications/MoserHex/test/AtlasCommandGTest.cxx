@@ -1,0 +1,188 @@
+// Files exact; scores of projected meshes 1e-9 of a standard deviation, reconstructed nodes 1e-9 mm.
+#include "CommandTest.h"
+#include "TextTable.h"
+#include "moserhex/Common/Random.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+#include "moserhex/Quality/HexQuality.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+using namespace moserhex;
+using namespace moserhex::app;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/** A box of 5^3 nodes, some 40 mm, whose sides depend on the subject; every second one has a bulge of 4 mm at the end
+ * of the first axis. */
+HexMesh
+boxOf(int subject, int n = 5)
+{
+  Random        random(static_cast<std::uint64_t>(subject) + 1);
+  const Vector3 sides(40.0 + random.uniform(-3, 3), 30.0 + random.uniform(-2, 2), 35.0 + random.uniform(-2, 2));
+  HexMesh       mesh{ n, {} };
+  for (int node = 0; node < n * n * n; ++node)
+  {
+    const Vector3 c = Vector3(node % n, node / n % n, node / (n * n)) / (n - 1);
+    const Vector3 noise(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+    const double  bulge = subject % 2 == 1 ? 4.0 * std::pow(c[0], 4) * c[1] * (1 - c[1]) * 4 : 0.0;
+    mesh.nodes.push_back(sides.cwiseProduct(c) + noise + bulge * Vector3::UnitX() +
+                         Vector3(100.0, -20.0 * subject, 7.0));
+  }
+  return mesh;
+}
+
+class AtlasCommand : public CommandTest
+{
+protected:
+  /** m/0.vtu ... and table.csv, with groups odd and even. */
+  void
+  writeSubjects(int count) const
+  {
+    fs::create_directories(path("m"));
+    std::string table = "subject,mesh,group,age\n";
+    for (int i = 0; i < count; ++i)
+    {
+      const std::string number = std::to_string(i);
+      writeHexMesh(path("m/" + number + ".vtu"), boxOf(i));
+      table += "S" + number + ",m/" + number + ".vtu," + (i % 2 == 1 ? "odd" : "even") + "," +
+               std::to_string(50 + i * 7 % 11) + "\n";
+    }
+    writeTextFile(path("table.csv"), table);
+  }
+
+  [[nodiscard]] Outcome
+  atlas(const std::string & input, const std::string & output, const std::vector<std::string> & more = {}) const
+  {
+    std::vector<std::string> arguments{ "atlas", path(input), "--output", path(output), "--no-sandbox" };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  [[nodiscard]] nlohmann::json
+  summary(const std::string & output) const
+  {
+    return nlohmann::json::parse(contentOf(path(output + "/atlas.json")));
+  }
+};
+
+} // namespace
+
+TEST_F(AtlasCommand, WritesTheMeanTheModesAndTheTests)
+{
+  writeSubjects(16);
+  const Outcome outcome =
+    atlas("table.csv", "out", { "--group", "group", "--covariates", "age", "--regress", "age", "--permutations=499" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_EQ(outcome.error, "");
+  for (const char * file : { "mean.vtu",
+                             "mode-01-plus3.vtu",
+                             "mode-01-minus3.vtu",
+                             "template.nrrd",
+                             "scores.csv",
+                             "model.json",
+                             "model.f64",
+                             "model_quality.csv",
+                             "group.vtu",
+                             "group.csv",
+                             "regression.vtu",
+                             "regression.csv",
+                             "atlas.json" })
+  {
+    EXPECT_TRUE(fs::exists(path(std::string("out/") + file))) << file;
+  }
+  const HexMesh           mean = readHexMesh(path("out/mean.vtu"));
+  const HexQualitySummary quality = summarizeQuality(mean);
+  EXPECT_LT(quality.volumeVariance, 1e-18);
+  EXPECT_EQ(quality.certified.positive, mean.cellCount());
+  const auto json = summary("out");
+  EXPECT_EQ(json["subjects"], 16);
+  EXPECT_EQ(json["tests"]["group"]["groups"], (std::vector<std::string>{ "even", "odd" }));
+  EXPECT_EQ(json["tests"]["group"]["covariates"], std::vector<std::string>{ "age" });
+  EXPECT_EQ(json["tests"]["regression"]["covariates"], std::vector<std::string>{});
+  EXPECT_LE(json["tests"]["group"]["smallest_p_family_wise"], 0.05);
+  EXPECT_EQ(readTextTable(path("out/group.csv")).rows.size(), 125u);
+  EXPECT_EQ(readTextTable(path("out/scores.csv")).rows.size(), 16u);
+}
+
+TEST_F(AtlasCommand, TheTemplateHasTheMeansVolume)
+{
+  writeSubjects(4);
+  ASSERT_EQ(atlas("m", "out").exitCode, 0);
+  const auto        image = readLabelImage(path("out/template.nrrd"));
+  const std::size_t voxels = voxelCount(labelVolumeOf(*image.image, 1));
+  const double      volume = summary("out")["mean"]["volume_ml"];
+  EXPECT_NEAR(static_cast<double>(voxels) / 1000.0, volume, 0.03 * volume);
+}
+
+TEST_F(AtlasCommand, TheSameFilesForAnyNumberOfThreads)
+{
+  writeSubjects(8);
+  ASSERT_EQ(atlas("table.csv", "one", { "--group=group", "--permutations=99", "--threads=1" }).exitCode, 0);
+  ASSERT_EQ(atlas("table.csv", "three", { "--group=group", "--permutations=99", "--threads=3" }).exitCode, 0);
+  for (const auto & entry : fs::directory_iterator(path("one")))
+  {
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(contentOf(path("one/" + name)), contentOf(path("three/" + name))) << name;
+  }
+}
+
+TEST_F(AtlasCommand, ASubjectIsProjectedToItsOwnScoresAndMadeOfThem)
+{
+  writeSubjects(6);
+  ASSERT_EQ(atlas("m", "out", { "--modes=100%", "--align=none" }).exitCode, 0);
+  ASSERT_EQ(atlas("m", "projected", { "--project", path("out/model.json") }).exitCode, 0);
+  const TextTable first = readTextTable(path("out/scores.csv"));
+  const TextTable again = readTextTable(path("projected/scores.csv"));
+  ASSERT_EQ(again.rows.size(), 6u);
+  ASSERT_EQ(first.columns.back(), "mode_5");
+  for (std::size_t row = 0; row < 6; ++row)
+  {
+    EXPECT_LT(std::strtod(again.rows[row].cells[4].c_str(), nullptr), 1e-9);
+    for (std::size_t column = 5; column < 10; ++column)
+    {
+      EXPECT_NEAR(std::strtod(first.rows[row].cells[column].c_str(), nullptr),
+                  std::strtod(again.rows[row].cells[column].c_str(), nullptr),
+                  1e-9);
+    }
+  }
+  ASSERT_EQ(atlas("out/scores.csv", "made", { "--reconstruct", path("out/model.json") }).exitCode, 0);
+  const HexMesh made = readHexMesh(path("made/3.vtu"));
+  for (std::size_t node = 0; node < made.nodes.size(); ++node)
+  {
+    EXPECT_LT((made.nodes[node] - boxOf(3).nodes[node]).norm(), 1e-9);
+  }
+}
+
+TEST_F(AtlasCommand, ALatticeThatWasTurnedIsWarnedOf)
+{
+  writeSubjects(4);
+  writeTextFile(path("m/2.json"), R"json({"warnings": ["the lattice is turned by 45 degrees about (0, 0, 1)"]})json");
+  const Outcome outcome = atlas("m", "out", { "--quiet" });
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_NE(outcome.error.find("lattice is turned by 45 degrees"), std::string::npos) << outcome.error;
+}
+
+TEST_F(AtlasCommand, Refusals)
+{
+  writeSubjects(4);
+  expectErrorCode(atlas("table.csv", "out", { "--group", "sex" }), "E_FORMAT");
+  expectErrorCode(atlas("table.csv", "out", { "--group", "age" }), "E_FORMAT");
+  expectErrorCode(atlas("table.csv", "out", { "--covariates", "age" }), "E_USAGE");
+  expectErrorCode(atlas("table.csv", "out", { "--modes", "0" }), "E_USAGE");
+  expectErrorCode(atlas("table.csv", "out", { "--modes", "120%" }), "E_USAGE");
+  expectErrorCode(atlas("m/1.vtu", "out"), "E_PRECONDITION");
+  expectErrorCode(atlas("m/1.vtu", "out", { path("m/9.vtu") }), "E_NOINPUT");
+  expectErrorCode(atlas("m", "out", { "--project", path("table.csv") }), "E_FORMAT");
+  expectErrorCode(atlas("table.csv", "out", { "--group", "group", "--project", path("model.json") }), "E_USAGE");
+  writeHexMesh(path("m/other.vtu"), boxOf(1, 6));
+  expectErrorCode(atlas("m", "out"), "E_NOT_HEXAHEDRA");
+}

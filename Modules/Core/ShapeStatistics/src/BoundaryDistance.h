@@ -1,0 +1,15 @@
+#pragma once
+
+#include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/HexMap/SignedDistance.h"
+
+namespace moserhex
+{
+
+/** Signed distance to the boundary of a mesh, each quadrilateral as two triangles; the sign, and the gradient, are
+ * those of the vertex normals, interpolated at the nearest point. Shares what it needs of the mesh.
+ * \throws InvalidInput  as requireValid(mesh) */
+[[nodiscard]] SignedDistance
+boundaryDistance(const HexMesh & mesh);
+
+} // namespace moserhex

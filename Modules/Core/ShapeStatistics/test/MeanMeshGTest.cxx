@@ -1,0 +1,68 @@
+// Equal volumes to 1e-9 (variance 1e-18), as the header promises.
+#include "moserhex/ShapeStatistics/MeanMesh.h"
+
+#include "BoundaryDistance.h"
+#include "TestShapes.h"
+#include "moserhex/Analytic/Refusals.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace moserhex;
+using namespace moserhex::testing;
+
+TEST(BoundaryDistance, OfACubeIsTheDistanceToItsFaces)
+{
+  const SignedDistance phi = boundaryDistance(analytic::cubeLattice(4, 2.0)); // [0,6]^3
+  Vector3              gradient;
+  EXPECT_NEAR(phi(Vector3(3.0, 3.0, 5.5), gradient), -0.5, 1e-12);
+  EXPECT_NEAR(phi(Vector3(3.1, 3.2, 7.5), gradient), 1.5, 1e-12);
+  EXPECT_LT((gradient - Vector3(0, 0, 1)).norm(), 0.5);
+  EXPECT_NEAR(phi(Vector3(6.0, 2.0, 3.0), gradient), 0.0, 1e-12);
+}
+
+TEST(MeanMesh, BecomesAnEqualVolumeMeshOfItsOwnOutline)
+{
+  const HexMesh        mean = softCube(8);
+  const MeanMeshResult result = equalVolumeMean(mean, 1);
+  EXPECT_TRUE(result.exact);
+  EXPECT_TRUE(result.shortcomings.empty());
+  EXPECT_GT(result.varianceBefore, 1e-4);
+  EXPECT_LT(result.varianceAfter, 1e-18);
+  EXPECT_EQ(result.certified.positive, 343u);
+  const auto volumes = cellVolumes(mean);
+  EXPECT_NEAR(result.volume, std::accumulate(volumes.begin(), volumes.end(), 0.0), 1e-9 * result.volume);
+  EXPECT_GT(result.largestMove, result.meanMove);
+  EXPECT_LT(result.largestMove, 6.0); // an edge of a cell
+}
+
+TEST(MeanMesh, AnEqualVolumeMeshStaysWhereItIs)
+{
+  const MeanMeshResult result = equalVolumeMean(analytic::cubeLattice(5, 2.0), 1);
+  EXPECT_TRUE(result.exact);
+  EXPECT_FALSE(result.reworked);
+  EXPECT_EQ(result.largestMove, 0.0);
+}
+
+TEST(MeanMesh, CellsTurnedOverAreReworked)
+{
+  HexMesh mean = softCube(6);
+  std::swap(mean.nodes[mean.nodeNumber(1, 2, 2)], mean.nodes[mean.nodeNumber(4, 3, 3)]);
+  const MeanMeshResult result = equalVolumeMean(mean, 1);
+  EXPECT_TRUE(result.exact) << (result.exact ? "" : result.shortcomings.front());
+  EXPECT_TRUE(result.reworked);
+}
+
+TEST(MeanMesh, TheSameForAnyNumberOfThreads)
+{
+  const MeanMeshResult one = equalVolumeMean(softCube(6), 1);
+  const MeanMeshResult three = equalVolumeMean(softCube(6), 3);
+  EXPECT_TRUE(std::equal(one.mesh.nodes.begin(), one.mesh.nodes.end(), three.mesh.nodes.begin()));
+}
+
+TEST(MeanMesh, TooCoarseAMeshIsRefused)
+{
+  EXPECT_EQ(analytic::messageOf([] { (void)equalVolumeMean(analytic::cubeLattice(2)); }),
+            "mean mesh: 2 nodes a side, need at least 3");
+}

@@ -1,0 +1,273 @@
+// Exact p: to round-off. Rates on null data: within four standard errors of binomial counts, fixed seeds.
+#include "moserhex/ShapeStatistics/PermutationTest.h"
+
+#include "Arrangements.h"
+#include "TestShapes.h"
+#include "moserhex/Analytic/Refusals.h"
+
+#include <Eigen/QR>
+
+#include <gtest/gtest.h>
+
+using namespace moserhex;
+using namespace moserhex::testing;
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+namespace
+{
+
+Vector
+groups(Eigen::Index subjects)
+{
+  Vector result = Vector::Zero(subjects);
+  result.tail(subjects / 2).setOnes();
+  return result;
+}
+
+PermutationOptions
+scalars(std::size_t permutations, std::uint64_t seed = 1)
+{
+  PermutationOptions options;
+  options.componentsPerPlace = 1;
+  options.permutations = permutations;
+  options.seed = seed;
+  options.threads = 1;
+  return options;
+}
+
+/** Largest distance of the sample's distribution to the uniform one on (0,1], times the root of its size. */
+double
+kolmogorovSmirnov(std::vector<double> p)
+{
+  std::sort(p.begin(), p.end());
+  const double count = static_cast<double>(p.size());
+  double       largest = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+  {
+    largest = std::max({ largest, static_cast<double>(i + 1) / count - p[i], p[i] - static_cast<double>(i) / count });
+  }
+  return largest * std::sqrt(count);
+}
+
+/** Forty subjects that differ in size, bend and noise; the last twenty have a bulge of 2 mm, 5 mm wide, along x. */
+Matrix
+phantomsWithBulge(const HexMesh & shape, const Vector3 & place, std::uint64_t seed)
+{
+  Random     random(seed);
+  const auto vector = [&] { return Vector3(normalNumber(random), normalNumber(random), normalNumber(random)); };
+  Matrix     y(40, static_cast<Eigen::Index>(3 * shape.nodes.size()));
+  for (Eigen::Index subject = 0; subject < 40; ++subject)
+  {
+    const double  size = 1.0 + 0.02 * normalNumber(random);
+    const Vector3 bend = 0.5 * vector();
+    for (std::size_t node = 0; node < shape.nodes.size(); ++node)
+    {
+      const Vector3 & p = shape.nodes[node];
+      const double    bulge = subject < 20 ? 0.0 : 2.0 * std::exp(-(p - place).squaredNorm() / (2.0 * 25.0));
+      y.block<1, 3>(subject, static_cast<Eigen::Index>(3 * node)) =
+        (size * p + bend * p[2] / 20.0 + bulge * Vector3::UnitX() + 0.3 * vector()).transpose();
+    }
+  }
+  return y;
+}
+
+} // namespace
+
+TEST(PermutationTest, TheStatisticIsStudentsTSquared)
+{
+  Random       random(21);
+  const Matrix y = normalMatrix(15, 1, random);
+  const Vector x = normalMatrix(15, 1, random);
+  const Matrix z = normalMatrix(15, 2, random);
+  const auto   result = permutationTest(MatrixTable(y), { x, z }, scalars(10));
+
+  Matrix X(15, 4);
+  X << x, Vector::Ones(15), z;
+  const Vector beta = X.colPivHouseholderQr().solve(Vector(y));
+  const double sigma2 = (y - X * beta).squaredNorm() / 11.0;
+  const double variance = sigma2 * (X.transpose() * X).inverse()(0, 0);
+  EXPECT_EQ(result.degreesOfFreedom, 11u);
+  EXPECT_NEAR(result.slope(0, 0), beta[0], 1e-12);
+  EXPECT_NEAR(result.statistic[0], beta[0] * beta[0] / variance, 1e-9);
+  EXPECT_NEAR(result.partialCorrelation[0], std::sqrt(result.statistic[0] / (result.statistic[0] + 11.0)), 1e-12);
+  EXPECT_EQ(result.standardisedDifference.size(), 0);
+}
+
+TEST(PermutationTest, OfVectorsItIsHotellingsTSquared)
+{
+  Random       random(22);
+  const Matrix y = normalMatrix(16, 3, random);
+  const auto   result = permutationTest(MatrixTable(y), { groups(16), Matrix(16, 0) });
+
+  const Vector3 difference = (y.bottomRows(8).colwise().mean() - y.topRows(8).colwise().mean()).transpose();
+  Matrix        within = y;
+  within.topRows(8).rowwise() -= y.topRows(8).colwise().mean();
+  within.bottomRows(8).rowwise() -= y.bottomRows(8).colwise().mean();
+  const Matrix3 pooled = within.transpose() * within / 14.0;
+  const double  squaredDistance = difference.dot(pooled.inverse() * difference);
+  EXPECT_LT((result.slope.col(0) - difference).norm(), 1e-13);
+  EXPECT_NEAR(result.statistic[0], 4.0 * squaredDistance, 1e-9); // n1 n2 / (n1 + n2)
+  EXPECT_NEAR(result.standardisedDifference[0], std::sqrt(squaredDistance), 1e-10);
+}
+
+TEST(PermutationTest, FewSubjectsAreEnumerated)
+{
+  Matrix y(7, 1);
+  y << 1, 2, 3, 4, 10, 11, 12;
+  Vector x(7);
+  x << 0, 0, 0, 0, 1, 1, 1;
+  const auto result = permutationTest(MatrixTable(y), { x, Matrix(7, 0) }, scalars(1000));
+  EXPECT_TRUE(result.isExact);
+  EXPECT_EQ(result.permutations, 35u); // 7 over 3
+  EXPECT_NEAR(result.p[0], 1.0 / 35.0, 1e-15);
+}
+
+TEST(PermutationTest, TheNumberOfOrdersCountsEqualSubjectsOnce)
+{
+  Matrix rows(5, 2);
+  rows << 0, 1, 0, 1, 1, 1, 0, 2, 0, 1;
+  const Arrangements all = arrangementsOf(rows, 100, 1);
+  EXPECT_TRUE(all.isExact);
+  EXPECT_EQ(all.orders.size(), 20u); // 5! / 3!
+  EXPECT_EQ(all.orders.front(), (std::vector<std::uint16_t>{ 0, 0, 2, 3, 0 }));
+  const Arrangements some = arrangementsOf(rows, 18, 1);
+  EXPECT_FALSE(some.isExact);
+  EXPECT_EQ(some.orders.size(), 19u);
+}
+
+TEST(PermutationTest, PValuesOfNullDataAreUniform)
+{
+  std::vector<double> p;
+  for (std::uint64_t trial = 0; trial < 400; ++trial)
+  {
+    Random       random(1000 + trial);
+    const Matrix y = normalMatrix(20, 3, random);
+    const Matrix z = normalMatrix(20, 1, random);
+    auto         options = scalars(999, trial);
+    options.componentsPerPlace = 3;
+    p.push_back(permutationTest(MatrixTable(y), { groups(20), z }, options).p[0]);
+  }
+  EXPECT_LT(kolmogorovSmirnov(p), 1.36); // 5 %
+}
+
+TEST(PermutationTest, TheFamilyWiseErrorIsControlled)
+{
+  int found = 0;
+  for (std::uint64_t trial = 0; trial < 200; ++trial)
+  {
+    Random random(5000 + trial);
+    auto   options = scalars(199, trial);
+    options.componentsPerPlace = 3;
+    const Matrix y = normalMatrix(16, 3 * 30, random);
+    found += permutationTest(MatrixTable(y), { groups(16), Matrix(16, 0) }, options).pFamilyWise.minCoeff() <= 0.05;
+  }
+  EXPECT_LE(found, 10 + 4 * 3.1); // 200 x 0.05, four standard errors
+  EXPECT_GE(found, 1);
+}
+
+TEST(PermutationTest, ABulgeOfTwoMillimetresInHalfOfFortyPhantomsIsFound)
+{
+  const HexMesh shape = softCube(8);
+  const auto    centre = shape.nodeNumber(7, 4, 4);
+  int           trialsWithFalseAlarms = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    PermutationOptions options;
+    options.permutations = 999;
+    options.seed = seed;
+    const MatrixTable table(phantomsWithBulge(shape, shape.nodes[centre], seed));
+    const auto        result = permutationTest(table, { groups(40), Matrix(40, 0) }, options);
+    EXPECT_EQ(result.pFamilyWise[static_cast<Eigen::Index>(centre)], 0.001);
+    EXPECT_NEAR(result.slope(0, static_cast<Eigen::Index>(centre)), 2.0, 1.0);
+    bool isFalseAlarm = false;
+    for (std::size_t node = 0; node < shape.nodes.size(); ++node)
+    {
+      const bool isFar = (shape.nodes[node] - shape.nodes[centre]).norm() > 20.0; // bulge below 0.001 mm
+      isFalseAlarm = isFalseAlarm || (isFar && result.pFamilyWise[static_cast<Eigen::Index>(node)] <= 0.05);
+    }
+    trialsWithFalseAlarms += isFalseAlarm ? 1 : 0;
+  }
+  EXPECT_LE(trialsWithFalseAlarms, 1 + 4); // 20 x 0.05, four standard errors
+}
+
+TEST(PermutationTest, AConfoundingCovariateIsNotTakenForTheGroup)
+{
+  // Age raises y, and the second group is older: without age in the model the groups differ.
+  int withAge = 0;
+  int without = 0;
+  for (std::uint64_t trial = 0; trial < 100; ++trial)
+  {
+    Random       random(9000 + trial);
+    const Vector group = groups(24);
+    const Vector age = 60.0 + 5.0 * group.array() + 5.0 * normalMatrix(24, 1, random).col(0).array();
+    const Matrix y = 0.3 * age + normalMatrix(24, 1, random);
+    withAge += permutationTest(MatrixTable(y), { group, age }, scalars(199, trial)).p[0] <= 0.05;
+    without += permutationTest(MatrixTable(y), { group, Matrix(24, 0) }, scalars(199, trial)).p[0] <= 0.05;
+  }
+  EXPECT_LE(withAge, 5 + 4 * 2.2);
+  EXPECT_GE(without, 30);
+}
+
+TEST(PermutationTest, PlacesWithoutVariationHaveNoEffect)
+{
+  Random random(41);
+  Matrix y(10, 6);
+  y << Matrix::Constant(10, 3, 17.3), normalMatrix(10, 3, random);
+  y.col(4).setConstant(2.0); // flat in one direction
+  const auto result = permutationTest(MatrixTable(y), { groups(10), Matrix(10, 0) });
+  EXPECT_EQ(result.statistic[0], 0.0);
+  EXPECT_EQ(result.p[0], 1.0);
+  EXPECT_TRUE(std::isfinite(result.statistic[1]));
+  EXPECT_GT(result.p[1], 0.0);
+}
+
+TEST(PermutationTest, TheSameForAnyNumberOfThreads)
+{
+  Random             random(42);
+  const MatrixTable  table(normalMatrix(30, 3 * 600, random));
+  const Matrix       z = normalMatrix(30, 1, random);
+  PermutationOptions options;
+  options.permutations = 200;
+  options.threads = 1;
+  const auto one = permutationTest(table, { groups(30), z }, options);
+  options.threads = 3;
+  const auto three = permutationTest(table, { groups(30), z }, options);
+  EXPECT_EQ(one.p, three.p);
+  EXPECT_EQ(one.pFamilyWise, three.pFamilyWise);
+  EXPECT_EQ(one.statistic, three.statistic);
+}
+
+TEST(FalseDiscoveryRates, AreThoseOfTheDefinition)
+{
+  const Vector p = (Vector(4) << 0.04, 0.01, 0.03, 0.5).finished();
+  const Vector q = falseDiscoveryRates(p);
+  EXPECT_NEAR(q[1], 0.04, 1e-15);
+  EXPECT_NEAR(q[2], 4.0 * 0.04 / 3.0, 1e-15);
+  EXPECT_NEAR(q[0], 4.0 * 0.04 / 3.0, 1e-15);
+  EXPECT_NEAR(q[3], 0.5, 1e-15);
+}
+
+TEST(PermutationTest, Refusals)
+{
+  Random            random(43);
+  const MatrixTable table(normalMatrix(6, 3, random));
+  const auto        refusal = [&](const Vector & effect, const Matrix & nuisance, std::size_t components) {
+    PermutationOptions options;
+    options.componentsPerPlace = components;
+    return analytic::messageOf([&] { (void)permutationTest(table, { effect, nuisance }, options); });
+  };
+  const Vector group = groups(6);
+  EXPECT_EQ(refusal(groups(5), Matrix(6, 0), 3), "permutation test: 5 values of the effect for 6 subjects");
+  EXPECT_EQ(refusal(group, Matrix::Ones(5, 1), 3), "permutation test: 5 values of the nuisance for 6 subjects");
+  EXPECT_EQ(refusal(Vector::Ones(6), Matrix(6, 0), 3),
+            "permutation test: the effect is constant, or the nuisance explains it");
+  EXPECT_EQ(refusal(group, 2.0 * group, 1), "permutation test: the effect is constant, or the nuisance explains it");
+  EXPECT_EQ(refusal(group, Matrix(6, 0), 2), "permutation test: 3 columns, need some for each place");
+  EXPECT_EQ(refusal(group, Matrix(6, 0), 4), "permutation test: 1 to 3 components a place");
+  EXPECT_EQ(refusal(group, normalMatrix(6, 3, random), 3),
+            "permutation test: 6 subjects for 5 effects and 3 components");
+  Vector bad = group;
+  bad[0] = std::nan("");
+  EXPECT_EQ(refusal(bad, Matrix(6, 0), 3), "permutation test: a value of the design is not finite");
+}
