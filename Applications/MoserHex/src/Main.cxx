@@ -10,6 +10,8 @@
 #include "QualityCommand.h"
 #include "SampleCommand.h"
 #include "Signals.h"
+#include "TransferCommand.h"
+#include "TransferRun.h"
 #include "Version.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
@@ -190,7 +192,7 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   {
     printError(ErrorCode::Usage,
                "no command " + unknown.front() +
-                 ", there are mesh, batch, collect, check, convert, quality and sample; see moserhex --help");
+                 ", there are mesh, batch, collect, check, convert, quality, sample and transfer; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -219,6 +221,8 @@ run(int argc, char ** argv)
   const CLI::App *      convert = addConvertCommand(program, convertOptions);
   QualityCommandOptions qualityOptions;
   const CLI::App *      quality = addQualityCommand(program, qualityOptions);
+  TransferOptions       transferOptions;
+  const CLI::App *      transfer = addTransferCommand(program, transferOptions);
   std::string           sampleFolder;
   bool                  sampleQuiet = false;
   CLI::App *            sample =
@@ -257,6 +261,10 @@ run(int argc, char ** argv)
   if (quality->parsed())
   {
     return runGuarded([&] { runQualityCommand(qualityOptions); });
+  }
+  if (transfer->parsed())
+  {
+    return runGuarded([&] { runTransfer(transferOptions); });
   }
   return runGuarded([&] { runMeshCommand(meshOptions); });
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "TransferOptions.h"
+
+namespace moserhex::app
+{
+
+/** The part of runTransfer for images. \throws UsageError, BadInput, InvalidInput, IOError */
+void
+transferImage(const TransferOptions & options);
+
+} // namespace moserhex::app
