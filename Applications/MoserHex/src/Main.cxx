@@ -11,7 +11,6 @@
 #include "SampleCommand.h"
 #include "Signals.h"
 #include "TransferCommand.h"
-#include "TransferRun.h"
 #include "Version.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
@@ -211,21 +210,21 @@ run(int argc, char ** argv)
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
-  BatchCommandOptions   batchOptions;
-  const CLI::App *      batch = addBatchCommand(program, batchOptions);
-  CollectCommandOptions collectOptions;
-  const CLI::App *      collect = addCollectCommand(program, collectOptions);
-  CheckCommandOptions   checkOptions;
-  const CLI::App *      check = addCheckCommand(program, checkOptions);
-  ConvertCommandOptions convertOptions;
-  const CLI::App *      convert = addConvertCommand(program, convertOptions);
-  QualityCommandOptions qualityOptions;
-  const CLI::App *      quality = addQualityCommand(program, qualityOptions);
-  TransferOptions       transferOptions;
-  const CLI::App *      transfer = addTransferCommand(program, transferOptions);
-  std::string           sampleFolder;
-  bool                  sampleQuiet = false;
-  CLI::App *            sample =
+  BatchCommandOptions    batchOptions;
+  const CLI::App *       batch = addBatchCommand(program, batchOptions);
+  CollectCommandOptions  collectOptions;
+  const CLI::App *       collect = addCollectCommand(program, collectOptions);
+  CheckCommandOptions    checkOptions;
+  const CLI::App *       check = addCheckCommand(program, checkOptions);
+  ConvertCommandOptions  convertOptions;
+  const CLI::App *       convert = addConvertCommand(program, convertOptions);
+  QualityCommandOptions  qualityOptions;
+  const CLI::App *       quality = addQualityCommand(program, qualityOptions);
+  TransferCommandOptions transferOptions;
+  const CLI::App *       transfer = addTransferCommand(program, transferOptions);
+  std::string            sampleFolder;
+  bool                   sampleQuiet = false;
+  CLI::App *             sample =
     program.add_subcommand("sample", "Write a made-up prostate, its zones and a follow-up as labelmaps");
   sample->add_option("DIR", sampleFolder, "Folder to write to")->required();
   sample->add_flag("--quiet", sampleQuiet, "Print errors only");
@@ -264,7 +263,7 @@ run(int argc, char ** argv)
   }
   if (transfer->parsed())
   {
-    return runGuarded([&] { runTransfer(transferOptions); });
+    return runGuarded([&] { runTransferCommand(transferOptions); });
   }
   return runGuarded([&] { runMeshCommand(meshOptions); });
 }

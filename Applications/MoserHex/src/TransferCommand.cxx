@@ -1,12 +1,18 @@
 #include "TransferCommand.h"
 
+#include "Console.h"
+#include "TransferRun.h"
+
+#include <cstdio>
+
 namespace moserhex::app
 {
 
 CLI::App *
-addTransferCommand(CLI::App & program, TransferOptions & options)
+addTransferCommand(CLI::App & program, TransferCommandOptions & transfer)
 {
-  CLI::App * command = program.add_subcommand(
+  TransferOptions & options = transfer.transfer;
+  CLI::App *        command = program.add_subcommand(
     "transfer", "Take an image or points from a subject to the cube, back, or to another subject");
   command
     ->add_option("INPUT",
@@ -42,8 +48,20 @@ addTransferCommand(CLI::App & program, TransferOptions & options)
     "!--no-sandbox", options.sandbox, "Read files in this process instead of a child with limits of memory and time");
   command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")
     ->check(CLI::Range(1, 1024));
-  command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  command->add_flag("--quiet", transfer.quiet, "Print warnings and errors only");
   return command;
+}
+
+void
+runTransferCommand(const TransferCommandOptions & command)
+{
+  TransferLog log;
+  log.warning = [](const std::string & text) { printWarning(text); };
+  if (!command.quiet)
+  {
+    log.result = [](const std::string & text) { std::printf("%s\n", text.c_str()); };
+  }
+  runTransfer(command.transfer, log);
 }
 
 } // namespace moserhex::app

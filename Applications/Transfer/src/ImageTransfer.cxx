@@ -1,7 +1,6 @@
 #include "ImageTransfer.h"
 
 #include "CommandErrors.h"
-#include "Console.h"
 #include "TransferFiles.h"
 #include "moserhex/CubeTransfer/CubeAxes.h"
 #include "moserhex/CubeTransfer/CubeImage.h"
@@ -80,7 +79,7 @@ public:
 
   /** \throws BadInput (Geometry)  no point was in the image; warns when some were not */
   void
-  requireCover() const
+  requireCover(const TransferLog & log) const
   {
     if (m_Beyond > 0 && m_Beyond == m_Asked)
     {
@@ -96,7 +95,7 @@ public:
                     sizeof text,
                     ": %.3g %% of the mesh lies beyond the image: background there",
                     100.0 * static_cast<double>(m_Beyond) / static_cast<double>(m_Asked));
-      printWarning(m_Options.input + text);
+      log.warn(m_Options.input + text);
     }
   }
 
@@ -137,6 +136,14 @@ massesOf(FieldVolume means, const std::vector<double> & volumes)
     std::for_each(means.at(box), means.at(box) + means.components, [&](double & value) { value *= volumes[box]; });
   }
   return means;
+}
+
+std::string
+numberText(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
 }
 
 double
@@ -199,7 +206,8 @@ FieldVolume
 imageOfCube(const HexMesh &         mesh,
             const TransferImage &   image,
             const SubjectFunction & f,
-            const TransferOptions & options)
+            const TransferOptions & options,
+            const TransferLog &     log)
 {
   if (options.sampling == "nodes")
   {
@@ -212,33 +220,26 @@ imageOfCube(const HexMesh &         mesh,
     return options.fractions ? withoutBackground(fractions) : majority(fractions, image.labels);
   }
   const CubeMeans result = cubeMeans(mesh, std::cref(f), f.components(), means);
-  if (!options.quiet && f.components() == 1)
+  if (f.components() == 1)
   {
-    std::printf("integral over the mesh: %.9g, volume %.9g mm3\n",
-                sumOf(massesOf(result.image, result.volumes)),
-                std::accumulate(result.volumes.begin(), result.volumes.end(), 0.0));
+    const double volume = std::accumulate(result.volumes.begin(), result.volumes.end(), 0.0);
+    log.say("integral over the mesh: " + numberText(sumOf(massesOf(result.image, result.volumes))) + ", volume " +
+            numberText(volume) + " mm3");
   }
   return result.image;
 }
 
 void
-write(const std::string & fileName, const FieldVolume & image, const TransferOptions & options)
+write(const std::string & fileName, const FieldVolume & image, const TransferOptions & options, const TransferLog & log)
 {
   writeFieldImage(fileName, image, valuesOf(options, image));
-  if (!options.quiet)
-  {
-    std::printf("%s: %d x %d x %d, %d %s\n",
-                fileName.c_str(),
-                image.size[0],
-                image.size[1],
-                image.size[2],
-                image.components,
-                image.components == 1 ? "number each" : "numbers each");
-  }
+  log.say(fileName + ": " + std::to_string(image.size[0]) + " x " + std::to_string(image.size[1]) + " x " +
+          std::to_string(image.size[2]) + ", " + std::to_string(image.components) +
+          (image.components == 1 ? " number each" : " numbers each"));
 }
 
 void
-toCube(const TransferOptions & options)
+toCube(const TransferOptions & options, const TransferLog & log)
 {
   if (options.sampling == "nodes" && (options.conserve || options.fractions))
   {
@@ -248,16 +249,20 @@ toCube(const TransferOptions & options)
   {
     throw UsageError("--like and --spacing are of --to-image");
   }
-  const TransferImage   image = readTransferImage(options);
+  const TransferImage   image = readTransferImage(options, log);
   const HexMesh         mesh = readTransferMesh(options.mesh, options);
   const SubjectFunction f(image, options);
-  const FieldVolume     result = imageOfCube(mesh, image, f, options);
-  f.requireCover();
-  write(options.toCube, result, options);
+  const FieldVolume     result = imageOfCube(mesh, image, f, options, log);
+  f.requireCover(log);
+  write(options.toCube, result, options, log);
 }
 
 void
-writeMasses(const HexMesh & mesh, const FieldVolume & masses, const VoxelGrid & grid, const TransferOptions & options)
+writeMasses(const HexMesh &         mesh,
+            const FieldVolume &     masses,
+            const VoxelGrid &       grid,
+            const TransferOptions & options,
+            const TransferLog &     log)
 {
   const CubeMap   map(mesh);
   GridMassOptions massOptions;
@@ -274,13 +279,13 @@ writeMasses(const HexMesh & mesh, const FieldVolume & masses, const VoxelGrid & 
   {
     char text[120];
     std::snprintf(text, sizeof text, "%.6g of the integral %.6g lies beyond the grid", outside, sumOf(masses));
-    printWarning(text);
+    log.warn(text);
   }
-  if (!options.quiet && masses.components == 1)
+  if (masses.components == 1)
   {
-    std::printf("integral over the mesh: %.9g\n", sumOf(masses));
+    log.say("integral over the mesh: " + numberText(sumOf(masses)));
   }
-  write(options.toImage, result.image, options);
+  write(options.toImage, result.image, options, log);
 }
 
 void
@@ -288,7 +293,8 @@ writeSamples(const HexMesh &         mesh,
              const CubeFunction &    f,
              int                     components,
              const VoxelGrid &       grid,
-             const TransferOptions & options)
+             const TransferOptions & options,
+             const TransferLog &     log)
 {
   const CubeMap     map(mesh);
   const GridSamples result = gridSamples(map, mesh, f, components, grid, { options.background, options.threads });
@@ -299,11 +305,8 @@ writeSamples(const HexMesh &         mesh,
                    "no voxel centre lies in the mesh",
                    "give an image of the subject, or smaller voxels");
   }
-  if (!options.quiet)
-  {
-    std::printf("%zu voxels in the mesh\n", result.inside);
-  }
-  write(options.toImage, result.image, options);
+  log.say(std::to_string(result.inside) + " voxels in the mesh");
+  write(options.toImage, result.image, options, log);
 }
 
 CubeSampling
@@ -320,9 +323,9 @@ requireCube(const FieldVolume & image, const TransferOptions & options)
 }
 
 void
-cubeToImage(const TransferOptions & options)
+cubeToImage(const TransferOptions & options, const TransferLog & log)
 {
-  const TransferImage cube = readTransferImage(options);
+  const TransferImage cube = readTransferImage(options, log);
   const CubeSampling  sampling = requireCube(cube.volume, options);
   const HexMesh       mesh = readTransferMesh(options.mesh, options);
   const VoxelGrid     grid = readTargetGrid(options, mesh);
@@ -336,7 +339,7 @@ cubeToImage(const TransferOptions & options)
   if (options.conserve)
   {
     const std::vector<double> volumes = cubeVolumes(mesh, { cube.volume.size[0], 2, options.threads });
-    writeMasses(mesh, massesOf(cube.volume, volumes), grid, options);
+    writeMasses(mesh, massesOf(cube.volume, volumes), grid, options, log);
     return;
   }
   const FieldFunction field(cube.volume, interpolationOf(options));
@@ -348,13 +351,13 @@ cubeToImage(const TransferOptions & options)
       turn(rotationPart(point.jacobian), components, values);
     }
   };
-  writeSamples(mesh, f, components, grid, options);
+  writeSamples(mesh, f, components, grid, options, log);
 }
 
 void
-subjectToSubject(const TransferOptions & options)
+subjectToSubject(const TransferOptions & options, const TransferLog & log)
 {
-  const TransferImage   image = readTransferImage(options);
+  const TransferImage   image = readTransferImage(options, log);
   const HexMesh         from = readTransferMesh(options.mesh, options);
   const HexMesh         to = readTransferMesh(options.toMesh, options);
   const VoxelGrid       grid = readTargetGrid(options, to);
@@ -363,8 +366,8 @@ subjectToSubject(const TransferOptions & options)
   {
     const CubeMeans means =
       cubeMeans(from, std::cref(subject), subject.components(), meanOptions(options, from, image.volume));
-    subject.requireCover();
-    writeMasses(to, massesOf(means.image, means.volumes), grid, options);
+    subject.requireCover(log);
+    writeMasses(to, massesOf(means.image, means.volumes), grid, options, log);
     return;
   }
   const CubeMap      map(from);
@@ -375,8 +378,8 @@ subjectToSubject(const TransferOptions & options)
       turn(rotationPart(point.jacobian), subject.components(), values);
     }
   };
-  writeSamples(to, f, subject.components(), grid, options);
-  subject.requireCover();
+  writeSamples(to, f, subject.components(), grid, options, log);
+  subject.requireCover(log);
 }
 
 void
@@ -403,20 +406,20 @@ requireImageOptions(const TransferOptions & options)
 } // namespace
 
 void
-transferImage(const TransferOptions & options)
+transferImage(const TransferOptions & options, const TransferLog & log)
 {
   requireImageOptions(options);
   if (!options.toCube.empty())
   {
-    toCube(options);
+    toCube(options, log);
   }
   else if (options.toMesh.empty())
   {
-    cubeToImage(options);
+    cubeToImage(options, log);
   }
   else
   {
-    subjectToSubject(options);
+    subjectToSubject(options, log);
   }
 }
 

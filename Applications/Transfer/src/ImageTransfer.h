@@ -1,5 +1,6 @@
 #pragma once
 
+#include "TransferLog.h"
 #include "TransferOptions.h"
 
 namespace moserhex::app
@@ -7,6 +8,6 @@ namespace moserhex::app
 
 /** The part of runTransfer for images. \throws UsageError, BadInput, InvalidInput, IOError */
 void
-transferImage(const TransferOptions & options);
+transferImage(const TransferOptions & options, const TransferLog & log);
 
 } // namespace moserhex::app

@@ -1,13 +1,11 @@
 #include "PointTransfer.h"
 
 #include "CommandErrors.h"
-#include "Console.h"
 #include "PointFile.h"
 #include "TransferFiles.h"
 #include "moserhex/CubeTransfer/CubeMap.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace moserhex::app
 {
@@ -43,20 +41,20 @@ requirePointOptions(const TransferOptions & options)
 
 /** Sets the cube coordinates of points by their positions; of those outside, none. */
 void
-findInCube(const CubeMap & map, const std::string & meshFile, PointList & list)
+findInCube(const CubeMap & map, const std::string & meshFile, const TransferLog & log, PointList & list)
 {
   for (ListedPoint & point : list.points)
   {
     point.cube.reset();
     if (!point.position)
     {
-      printWarning(oneLine(point.name, 60) + ": no position, left empty");
+      log.warn(oneLine(point.name, 60) + ": no position, left empty");
       continue;
     }
     const auto place = map.find(*point.position);
     if (!place)
     {
-      printWarning(oneLine(point.name, 60) + ": outside of the mesh " + oneLine(meshFile, 80) + ", left empty");
+      log.warn(oneLine(point.name, 60) + ": outside of the mesh " + oneLine(meshFile, 80) + ", left empty");
       continue;
     }
     point.cube = map.cubeCoordinates(*place);
@@ -65,7 +63,7 @@ findInCube(const CubeMap & map, const std::string & meshFile, PointList & list)
 
 /** Sets the positions of points by their cube coordinates; of those without or outside of the cube, none. */
 void
-findInMesh(const CubeMap & map, bool warn, PointList & list)
+findInMesh(const CubeMap & map, const TransferLog & log, PointList & list)
 {
   for (ListedPoint & point : list.points)
   {
@@ -74,10 +72,10 @@ findInMesh(const CubeMap & map, bool warn, PointList & list)
     {
       point.position = map.position(map.place(*point.cube));
     }
-    else if (warn)
+    else
     {
-      printWarning(oneLine(point.name, 60) + ": " + (point.cube ? "outside of the cube" : "no cube coordinates") +
-                   ", left empty");
+      log.warn(oneLine(point.name, 60) + ": " + (point.cube ? "outside of the cube" : "no cube coordinates") +
+               ", left empty");
     }
   }
 }
@@ -94,7 +92,7 @@ countOf(const PointList & list, bool inCube)
 } // namespace
 
 void
-transferPoints(const TransferOptions & options)
+transferPoints(const TransferOptions & options, const TransferLog & log)
 {
   requirePointOptions(options);
   PointList     list = readPoints(options.input);
@@ -103,23 +101,21 @@ transferPoints(const TransferOptions & options)
   const bool    isToCube = !options.toCube.empty();
   if (isToCube || !options.toMesh.empty())
   {
-    findInCube(map, options.mesh, list);
+    findInCube(map, options.mesh, log, list);
   }
   if (!options.toMesh.empty())
   {
     const HexMesh other = readTransferMesh(options.toMesh, options);
-    findInMesh(CubeMap(other), false, list);
+    findInMesh(CubeMap(other), {}, list); // findInCube has
   }
   else if (!isToCube)
   {
-    findInMesh(map, true, list);
+    findInMesh(map, log, list);
   }
   const std::string & output = isToCube ? options.toCube : options.toPoints;
   writePoints(output, list);
-  if (!options.quiet)
-  {
-    std::printf("%s: %zu of %zu points\n", output.c_str(), countOf(list, isToCube), list.points.size());
-  }
+  log.say(output + ": " + std::to_string(countOf(list, isToCube)) + " of " + std::to_string(list.points.size()) +
+          " points");
 }
 
 } // namespace moserhex::app

@@ -1,7 +1,6 @@
 #include "TransferFiles.h"
 
 #include "CommandErrors.h"
-#include "Console.h"
 #include "moserhex/CubeTransfer/CubeAxes.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 
@@ -18,21 +17,21 @@ constexpr int        mostVoxelsPerAxis = 4096;
 constexpr double     mostVoxels = 5e8; ///< what image files may hold
 
 void
-printWarnings(const std::vector<std::string> & warnings)
+tell(const TransferLog & log, const std::vector<std::string> & warnings)
 {
   for (const std::string & warning : warnings)
   {
-    printWarning(warning);
+    log.warn(warning);
   }
 }
 
 TransferImage
-readLabels(const TransferOptions & options)
+readLabels(const TransferOptions & options, const TransferLog & log)
 {
   LabelReadOptions reading;
   reading.sandbox = options.sandbox;
   const LabelImage image = readLabelImage(options.input, reading);
-  printWarnings(image.warnings);
+  tell(log, image.warnings);
   if (image.labels.back().value > mostLabelValue)
   {
     throw BadInput(ErrorCode::Labels,
@@ -102,14 +101,14 @@ readTransferMesh(const std::string & fileName, const TransferOptions & options)
 }
 
 TransferImage
-readTransferImage(const TransferOptions & options)
+readTransferImage(const TransferOptions & options, const TransferLog & log)
 {
   if (options.labels)
   {
-    return readLabels(options);
+    return readLabels(options, log);
   }
   FieldImage image = readFieldImage(options.input, { options.sandbox });
-  printWarnings(image.warnings);
+  tell(log, image.warnings);
   if (options.rotate && !canBeTurned(image.volume.components))
   {
     throw BadInput(ErrorCode::PixelType,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "TransferLog.h"
 #include "TransferOptions.h"
 #include "moserhex/Geometry/HexMesh.h"
 #include "moserhex/HexMeshIO/FieldImageReader.h"
@@ -24,11 +25,11 @@ struct TransferImage
 [[nodiscard]] HexMesh
 readTransferMesh(const std::string & fileName, const TransferOptions & options);
 
-/** Reads the input, as labels or numbers, and prints its warnings.
+/** Reads the input, as labels or numbers, and tells its warnings.
  * \throws BadInput (Geometry)  it is to be turned and its values are not in LPS, (PixelType) or are neither vectors nor
  * tensors; IOError */
 [[nodiscard]] TransferImage
-readTransferImage(const TransferOptions & options);
+readTransferImage(const TransferOptions & options, const TransferLog & log);
 
 /** The grid of the reference image, or a new one along LPS around the mesh.
  * \throws UsageError  neither or both are given; BadInput, IOError */

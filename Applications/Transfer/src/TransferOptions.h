@@ -26,7 +26,6 @@ struct TransferOptions
   int                 pointsPerAxis{ 0 }; ///< Gauss points; 0: two for each voxel along a cell
   bool                sandbox{ true };
   unsigned int        threads{ 0 };
-  bool                quiet{ false };
 };
 
 } // namespace moserhex::app

@@ -49,11 +49,11 @@ requireUsableOptions(const TransferOptions & options, const std::string & output
 } // namespace
 
 void
-runTransfer(const TransferOptions & options)
+runTransfer(const TransferOptions & options, const TransferLog & log)
 {
   const std::string & output = outputOf(options);
   requireUsableOptions(options, output);
-  isPointFileName(options.input) ? transferPoints(options) : transferImage(options);
+  isPointFileName(options.input) ? transferPoints(options, log) : transferImage(options, log);
 }
 
 } // namespace moserhex::app
