@@ -73,8 +73,8 @@ withoutBlanksAround(const std::string & text)
 class RowReader
 {
 public:
-  RowReader(const std::string & fileName, const std::string & text, char separator)
-    : m_FileName(fileName), m_Text(text), m_Separator(separator)
+  RowReader(const std::string & fileName, const std::string & text, char separator, std::size_t firstLine = 1)
+    : m_FileName(fileName), m_Text(text), m_Separator(separator), m_Line(firstLine)
   {}
 
   /** The next row that has any text. \return false at the end */
@@ -186,7 +186,7 @@ private:
   const std::string & m_Text;
   char                m_Separator;
   std::size_t         m_Position{ 0 };
-  std::size_t         m_Line{ 1 };
+  std::size_t         m_Line;
 };
 
 [[nodiscard]] char
@@ -297,6 +297,14 @@ readTextLines(const std::string & fileName, const std::string & column)
     begin = end + 1;
   }
   return table;
+}
+
+std::vector<std::string>
+cellsOfLine(const std::string & fileName, std::size_t number, const std::string & line, char separator)
+{
+  RowReader      reader(fileName, line, separator, number);
+  TextTable::Row row;
+  return reader.next(row) ? row.cells : std::vector<std::string>();
 }
 
 std::string

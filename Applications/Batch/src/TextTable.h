@@ -36,6 +36,11 @@ readTextTable(const std::string & fileName);
 [[nodiscard]] TextTable
 readTextLines(const std::string & fileName, const std::string & column);
 
+/** The cells of one line of a table, apart from its end.
+ * \param number  of the line, in messages \throws BadInput  as readTextTable */
+[[nodiscard]] std::vector<std::string>
+cellsOfLine(const std::string & fileName, std::size_t number, const std::string & line, char separator);
+
 /** One line of a table, with its end. Cells are quoted where they must be; where a spreadsheet would take a cell for a
  * formula (it begins with = + - @, a tab or a carriage return, and is not a number), an apostrophe is put before it.
  * \param separator  ',' or '\t' */

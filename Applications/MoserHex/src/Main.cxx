@@ -12,6 +12,7 @@
 #include "QualityCommand.h"
 #include "SampleCommand.h"
 #include "Signals.h"
+#include "TransferCommand.h"
 #include "Version.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
@@ -196,7 +197,8 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   {
     printError(ErrorCode::Usage,
                "no command " + unknown.front() +
-                 ", there are mesh, batch, collect, atlas, check, compare, convert, quality, sample and transfer; see moserhex --help");
+                 ", there are mesh, batch, collect, atlas, check, compare, convert, quality, sample and transfer; see "
+                 "moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -215,23 +217,25 @@ run(int argc, char ** argv)
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
-  BatchCommandOptions   batchOptions;
-  const CLI::App *      batch = addBatchCommand(program, batchOptions);
-  CollectCommandOptions collectOptions;
-  const CLI::App *      collect = addCollectCommand(program, collectOptions);
-  CheckCommandOptions   checkOptions;
-  const CLI::App *      check = addCheckCommand(program, checkOptions);
-  CompareCommandOptions compareOptions;
-  const CLI::App *      compare = addCompareCommand(program, compareOptions);
-  ConvertCommandOptions convertOptions;
-  const CLI::App *      convert = addConvertCommand(program, convertOptions);
-  QualityCommandOptions qualityOptions;
-  const CLI::App *      quality = addQualityCommand(program, qualityOptions);
-  AtlasCommandOptions   atlasOptions;
-  const CLI::App *      atlas = addAtlasCommand(program, atlasOptions);
-  std::string           sampleFolder;
-  bool                  sampleQuiet = false;
-  CLI::App *            sample =
+  BatchCommandOptions    batchOptions;
+  const CLI::App *       batch = addBatchCommand(program, batchOptions);
+  CollectCommandOptions  collectOptions;
+  const CLI::App *       collect = addCollectCommand(program, collectOptions);
+  CheckCommandOptions    checkOptions;
+  const CLI::App *       check = addCheckCommand(program, checkOptions);
+  CompareCommandOptions  compareOptions;
+  const CLI::App *       compare = addCompareCommand(program, compareOptions);
+  ConvertCommandOptions  convertOptions;
+  const CLI::App *       convert = addConvertCommand(program, convertOptions);
+  QualityCommandOptions  qualityOptions;
+  const CLI::App *       quality = addQualityCommand(program, qualityOptions);
+  TransferCommandOptions transferOptions;
+  const CLI::App *       transfer = addTransferCommand(program, transferOptions);
+  AtlasCommandOptions    atlasOptions;
+  const CLI::App *       atlas = addAtlasCommand(program, atlasOptions);
+  std::string            sampleFolder;
+  bool                   sampleQuiet = false;
+  CLI::App *             sample =
     program.add_subcommand("sample", "Write a made-up prostate, its zones and a follow-up as labelmaps");
   sample->add_option("DIR", sampleFolder, "Folder to write to")->required();
   sample->add_flag("--quiet", sampleQuiet, "Print errors only");
@@ -275,6 +279,10 @@ run(int argc, char ** argv)
   if (quality->parsed())
   {
     return runGuarded([&] { runQualityCommand(qualityOptions); });
+  }
+  if (transfer->parsed())
+  {
+    return runGuarded([&] { runTransferCommand(transferOptions); });
   }
   return runGuarded([&] { runMeshCommand(meshOptions); });
 }

@@ -1,5 +1,6 @@
 #include "moserhex/CubeTransfer/CubeMap.h"
 
+#include "../src/TrilinearCell.h"
 #include "TestMeshes.h"
 #include "moserhex/Analytic/Refusals.h"
 #include "moserhex/Analytic/SurfaceShapes.h"
@@ -273,6 +274,27 @@ TEST(CubeMap, TheShareOfRandomPointsInsideIsTheVolume)
     inside += map.find(lower + (upper - lower).cwiseProduct(randomInCube(random))) ? 1 : 0;
   }
   EXPECT_NEAR(inside / static_cast<double>(points), share, 4.0 * std::sqrt(share * (1.0 - share) / points));
+}
+
+TEST(CubeMap, EveryInnerPointIsInExactlyOneCell)
+{
+  const HexMesh mesh = bentLattice(5);
+  const CubeMap map(mesh);
+  Random        random(11);
+  for (int n = 0; n < 2000; ++n)
+  {
+    const Vector3            p = map.position(map.place(randomInCube(random)));
+    std::vector<std::size_t> holding;
+    for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
+    {
+      if (trilinearInverse(cellCorners(mesh, cell), p, 1e-12))
+      {
+        holding.push_back(cell);
+      }
+    }
+    ASSERT_EQ(holding.size(), 1u) << p.transpose();
+    EXPECT_EQ(map.find(p)->cell, holding.front());
+  }
 }
 
 TEST(CubeMap, CubeCoordinatesOutsideTheCubeAreRefused)

@@ -80,6 +80,13 @@ enum class VoxelEncoding
   Text ///< decimal numbers
 };
 
+/** How many numbers a voxel may hold. */
+enum class VoxelContent
+{
+  OneValue,  ///< one; of a Slicer segmentation one for each layer
+  ManyValues ///< any number: vectors, tensors, lists, colours
+};
+
 /** An image as its header states it, every statement checked; see checkImageHeader. */
 struct ImageDescription
 {
@@ -87,9 +94,10 @@ struct ImageDescription
   ImageFormat   format{ ImageFormat::Nrrd };
   ComponentType component{ ComponentType::UInt8 };
   std::uint64_t bytesPerComponent{ 1 };
-  bool          swapped{ false }; ///< the file's byte order is not this machine's
-  VoxelGrid     grid;             ///< LPS mm, direction orthonormal to round-off
-  int           layers{ 1 };      ///< values per voxel, the fastest axis of the file: only for Slicer's segmentations
+  bool          swapped{ false };    ///< the file's byte order is not this machine's
+  VoxelGrid     grid;                ///< LPS mm, direction orthonormal to round-off
+  int           layers{ 1 };         ///< values per voxel, the fastest axis of the file
+  bool          valuesInLps{ true }; ///< no other space and no measurement frame is that of vectors and tensors
   VoxelEncoding encoding{ VoxelEncoding::Raw };
   std::string   dataFile;           ///< holds the voxels
   std::uint64_t dataBegin{ 0 };     ///< of the voxels; in the decoded bytes for GzipOrRaw, else in the file

@@ -136,9 +136,9 @@ requireDelivered(const ImageDescription & image, const void * buffer)
 }
 
 ImageDescription
-checkedDescription(const std::string & fileName, bool sandboxed)
+checkedDescription(const std::string & fileName, bool sandboxed, VoxelContent content)
 {
-  ImageDescription image = checkImageHeader(fileName, imageFormatOf(fileName));
+  ImageDescription image = checkImageHeader(fileName, imageFormatOf(fileName), content);
   if (sandboxed)
   {
     // The buffer here, one inside the library, one of compressed bytes, and the answer.

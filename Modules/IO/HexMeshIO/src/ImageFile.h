@@ -34,11 +34,15 @@ requireDelivered(const ImageDescription & image, const void * buffer);
  * file or reads other bytes; IOError */
 template <typename TBody>
 void
-withCheckedVoxels(const std::string & fileName, const std::string & itkName, bool sandboxed, const TBody & body);
+withCheckedVoxels(const std::string & fileName,
+                  const std::string & itkName,
+                  bool                sandboxed,
+                  VoxelContent        content,
+                  const TBody &       body);
 
 /** Header, memory, bytes: what withCheckedVoxels does before ITK. */
 [[nodiscard]] ImageDescription
-checkedDescription(const std::string & fileName, bool sandboxed);
+checkedDescription(const std::string & fileName, bool sandboxed, VoxelContent content);
 
 /** What a library said, in one line and without the place in its source that ITK puts before it. */
 [[nodiscard]] std::string
@@ -78,10 +82,14 @@ withImageErrors(const std::string & fileName, const TRead & read)
 
 template <typename TBody>
 void
-withCheckedVoxels(const std::string & fileName, const std::string & itkName, bool sandboxed, const TBody & body)
+withCheckedVoxels(const std::string & fileName,
+                  const std::string & itkName,
+                  bool                sandboxed,
+                  VoxelContent        content,
+                  const TBody &       body)
 {
   withImageErrors(fileName, [&] {
-    const ImageDescription image = checkedDescription(fileName, sandboxed);
+    const ImageDescription image = checkedDescription(fileName, sandboxed, content);
     withComponent(deliveredComponent(image), [&](auto zero) {
       std::vector<decltype(zero)> voxels(image.grid.gridVoxels() * static_cast<std::size_t>(image.layers));
       readByItk(image, itkName, voxels.data());

@@ -177,7 +177,7 @@ imageFormatOf(const std::string & fileName)
 }
 
 ImageDescription
-checkImageHeader(const std::string & fileName, ImageFormat format)
+checkImageHeader(const std::string & fileName, ImageFormat format, VoxelContent content)
 {
   requireReadableFile(fileName);
   requireNoOtherKind(fileName);
@@ -186,17 +186,17 @@ checkImageHeader(const std::string & fileName, ImageFormat format)
     case ImageFormat::Nifti:
       return checkNiftiHeader(fileName);
     case ImageFormat::Meta:
-      return checkMetaHeader(fileName);
+      return checkMetaHeader(fileName, content);
     case ImageFormat::Nrrd:
       break;
   }
-  return checkNrrdHeader(fileName);
+  return checkNrrdHeader(fileName, content);
 }
 
 ImageDescription
-checkImageFile(const std::string & fileName, ImageFormat format)
+checkImageFile(const std::string & fileName, ImageFormat format, VoxelContent content)
 {
-  ImageDescription image = checkImageHeader(fileName, format);
+  ImageDescription image = checkImageHeader(fileName, format, content);
   checkVoxelBytes(image);
   return image;
 }

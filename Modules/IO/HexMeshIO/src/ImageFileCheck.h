@@ -15,16 +15,15 @@ namespace moserhex
  *
  * \throws BadInput, IOError */
 ImageDescription
-checkImageFile(const std::string & fileName, ImageFormat format);
+checkImageFile(const std::string & fileName, ImageFormat format, VoxelContent content = VoxelContent::OneValue);
 
 /** The first half of checkImageFile, which reads no voxels: a regular file of its format; every token shorter than the
- * libraries' buffers; fields known, well-formed, given once and agreeing with each other; one number per voxel on a 3-D
- * grid (axes of size 1 apart, and the layers of a Slicer segmentation); voxel sizes in [1e-3, 1e3] mm, right angles
- * within 1e-3, finite origin; data in the same file or in one plain file beside it, in the same folder after links are
- * followed; no more voxels than the library takes or than the bytes can hold.
- * \throws BadInput, IOError */
+ * libraries' buffers; fields known, well-formed, given once and agreeing with each other; numbers per voxel as
+ * `content` says on a 3-D grid (axes of size 1 apart); voxel sizes in [1e-3, 1e3] mm, right angles within 1e-3, finite
+ * origin; data in the same file or in one plain file beside it, in the same folder after links are followed; no more
+ * voxels than the library takes or than the bytes can hold. \throws BadInput, IOError */
 ImageDescription
-checkImageHeader(const std::string & fileName, ImageFormat format);
+checkImageHeader(const std::string & fileName, ImageFormat format, VoxelContent content = VoxelContent::OneValue);
 
 /** The second half: decodes the voxels to their end, without keeping them. Sets the checksum; bytes after the voxels
  * are a warning, and of a compressed stream that goes on at most 16 MB more are decoded in search of its own checksum.

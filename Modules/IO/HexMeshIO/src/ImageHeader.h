@@ -15,6 +15,9 @@ namespace moserhex
 /** Deflate compresses at most 1032-fold. */
 constexpr std::uint64_t deflateLimit = 1032;
 
+/** Of an image of vectors, tensors or lists. */
+constexpr std::uint64_t mostValuesPerVoxel = 4096;
+
 /** Remedies that several refusals share. */
 constexpr const char * copyAgain = "copy or export the file again";
 constexpr const char * exportScalarVolume = "export the image again as one 3-D scalar volume";
@@ -73,12 +76,12 @@ setDataFile(ImageDescription & image, const std::string & name);
 void
 requirePlausibleSize(const ImageDescription & image);
 
-/** The checks of one format each; see checkImageHeader. */
+/** The checks of one format each; see checkImageHeader. NIfTI vectors are not taken. */
 [[nodiscard]] ImageDescription
 checkNiftiHeader(const std::string & file);
 [[nodiscard]] ImageDescription
-checkMetaHeader(const std::string & file);
+checkMetaHeader(const std::string & file, VoxelContent content);
 [[nodiscard]] ImageDescription
-checkNrrdHeader(const std::string & file);
+checkNrrdHeader(const std::string & file, VoxelContent content);
 
 } // namespace moserhex

@@ -118,7 +118,7 @@ std::string
 packedLabels(const std::string & fileName, const std::string & itkName, const LabelReadOptions & options)
 {
   std::string parcel;
-  withCheckedVoxels(fileName, itkName, options.sandbox, [&](const ImageDescription & description, const auto & values) {
+  const auto  packVoxels = [&](const ImageDescription & description, const auto & values) {
     ImageDescription          image = description;
     std::vector<SegmentEntry> segments = segmentsOf(image);
     const auto                chosen = chosenSegment(image, segments, options.segment);
@@ -138,7 +138,8 @@ packedLabels(const std::string & fileName, const std::string & itkName, const La
     }
     const auto entries = labelEntries(image, labels.counts[static_cast<std::size_t>(rules.layer)], rules, segments);
     parcel = pack(image, std::move(labels), entries, segments);
-  });
+  };
+  withCheckedVoxels(fileName, itkName, options.sandbox, VoxelContent::OneValue, packVoxels);
   return parcel;
 }
 

@@ -304,7 +304,7 @@ setMetaEncoding(const MetaHeader & header, ImageDescription & image)
 } // namespace
 
 ImageDescription
-checkMetaHeader(const std::string & file)
+checkMetaHeader(const std::string & file, VoxelContent content)
 {
   const MetaHeader  header = parseMetaHeader(file, beginningOf(file, longestMetaHeader));
   const std::string objectType = header.get("ObjectType");
@@ -319,14 +319,15 @@ checkMetaHeader(const std::string & file)
   const auto channels = header.has("ElementNumberOfChannels")
                           ? countsOf(file, "ElementNumberOfChannels", header.get("ElementNumberOfChannels"))
                           : std::vector<std::uint64_t>{ 1 };
-  if (channels.size() != 1 || channels[0] != 1)
+  const bool isMany = content == VoxelContent::ManyValues && channels.size() == 1 && channels[0] <= mostValuesPerVoxel;
+  if (channels.size() != 1 || (channels[0] != 1 && !isMany))
   {
     throw BadInput(!channels.empty() && channels[0] > 1'000'000 ? ErrorCode::TooBig : ErrorCode::PixelType,
                    file,
                    header.get("ElementNumberOfChannels").substr(0, 10) + " values per voxel, need a scalar image",
                    exportScalarVolume);
   }
-  setVoxels(image, { sizes[0], sizes[1], sizes[2] }, metaComponentType(file, header.get("ElementType")), 1);
+  setVoxels(image, { sizes[0], sizes[1], sizes[2] }, metaComponentType(file, header.get("ElementType")), channels[0]);
   setMetaDataFile(header, image);
   setMetaEncoding(header, image);
   setMetaGeometry(header, sizes.size(), image);

@@ -164,9 +164,16 @@ nrrdAxes(const NrrdHeader & header, const ImageDescription & image)
   return axes;
 }
 
+/** Whether the first axis of a file may be one of values. Of masked tensors ITK leaves out the mask. */
+bool
+mayHoldValues(const std::string & kind, std::uint64_t size)
+{
+  return !isSpatialKind(kind) && kind != "time" && kind != "3d-masked-symmetric-matrix" && size <= mostValuesPerVoxel;
+}
+
 /** Sorts the axes into three of space and others. \throws BadInput (Dimension, PixelType, Geometry) */
 void
-findSpatialAxes(const ImageDescription & image, bool segmentation, NrrdAxes & axes)
+findSpatialAxes(const ImageDescription & image, bool segmentation, VoxelContent content, NrrdAxes & axes)
 {
   const std::size_t axisCount = axes.sizes.size();
   if (axisCount < 3)
@@ -188,7 +195,8 @@ findSpatialAxes(const ImageDescription & image, bool segmentation, NrrdAxes & ax
     {
       axes.spatial.push_back(axis);
     }
-    else if (axis == 0 && segmentation && axes.kinds[0] != "rgb-color")
+    else if (axis == 0 && ((segmentation && axes.kinds[0] != "rgb-color") ||
+                           (content == VoxelContent::ManyValues && mayHoldValues(axes.kinds[0], axes.sizes[0]))))
     {
       axes.layers = axes.sizes[0];
     }
@@ -342,7 +350,7 @@ skipBytes(const NrrdHeader & header, ImageDescription & image)
 } // namespace
 
 ImageDescription
-checkNrrdHeader(const std::string & file)
+checkNrrdHeader(const std::string & file, VoxelContent content)
 {
   const std::string text = beginningOf(file, longestNrrdHeader);
   const NrrdHeader  header = parseNrrdHeader(file, text);
@@ -360,7 +368,9 @@ checkNrrdHeader(const std::string & file)
   image.encoding = nrrdEncoding(header, image);
   const Vector3 toLps = nrrdSpace(header, image);
   NrrdAxes      axes = nrrdAxes(header, image);
-  findSpatialAxes(image, header.keyValues.count("Segment0_ID") + header.keyValues.count("Segment0_Name") > 0, axes);
+  const bool    isSegmentation = header.keyValues.count("Segment0_ID") + header.keyValues.count("Segment0_Name") > 0;
+  findSpatialAxes(image, isSegmentation, content, axes);
+  image.valuesInLps = toLps == Vector3::Ones() && !header.has("measurement frame");
   setVoxels(image,
             { axes.sizes[axes.spatial[0]], axes.sizes[axes.spatial[1]], axes.sizes[axes.spatial[2]] },
             nrrdComponentType(file, header.get("type")),

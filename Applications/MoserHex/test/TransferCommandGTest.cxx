@@ -1,0 +1,427 @@
+// Integrals to 1e-6 relative, the customer's bound; positions to 1e-9 mm. Exit codes, streams and files exact.
+#include "CommandTest.h"
+
+#include "moserhex/CubeTransfer/CubeImage.h"
+#include "moserhex/CubeTransfer/CubeMap.h"
+#include "moserhex/HexMeshIO/FieldImageReader.h"
+#include "moserhex/HexMeshIO/FieldImageWriter.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
+
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+using namespace moserhex;
+using namespace moserhex::app;
+
+namespace
+{
+
+constexpr int nodesPerSide = 8;
+
+/** A bent, tapered bar in [0,40] x [0,40] x [0,20], roughly. */
+HexMesh
+bar(double bend)
+{
+  HexMesh mesh;
+  mesh.nodesPerSide = nodesPerSide;
+  for (int k = 0; k < nodesPerSide; ++k)
+  {
+    for (int j = 0; j < nodesPerSide; ++j)
+    {
+      for (int i = 0; i < nodesPerSide; ++i)
+      {
+        const Vector3 c = Vector3(i, j, k) / (nodesPerSide - 1);
+        mesh.nodes.emplace_back(5.0 + 30.0 * c[0],
+                                5.0 + 20.0 * c[1] * (1.0 - 0.2 * c[0]) + bend * c[0] * c[0],
+                                3.0 + 12.0 * c[2] + 2.0 * c[1]);
+      }
+    }
+  }
+  return mesh;
+}
+
+double
+smooth(const Vector3 & p)
+{
+  return 3.0 + std::sin(0.1 * p[0]) + 0.02 * p[1] * p[2];
+}
+
+template <typename TFunction>
+FieldVolume
+imageOf(int components, const TFunction & f)
+{
+  FieldVolume image{ VoxelGrid{ { { 50, 45, 14 } }, { 0.9, 1.0, 1.7 }, { -2.0, -2.0, -1.0 } }, components, {} };
+  for (int k = 0; k < image.size[2]; ++k)
+  {
+    for (int j = 0; j < image.size[1]; ++j)
+    {
+      for (int i = 0; i < image.size[0]; ++i)
+      {
+        f(image.point(i, j, k), image.values);
+      }
+    }
+  }
+  return image;
+}
+
+double
+sum(const FieldVolume & image)
+{
+  return std::accumulate(image.values.begin(), image.values.end(), 0.0);
+}
+
+class TransferCommand : public CommandTest
+{
+protected:
+  void
+  SetUp() override
+  {
+    CommandTest::SetUp();
+    m_Mesh = bar(15.0);
+    writeHexMesh(path("a.vtu"), m_Mesh);
+    writeHexMesh(path("b.vtu"), bar(4.0));
+    writeFieldImage(path("smooth.nrrd"),
+                    imageOf(1, [](const Vector3 & p, std::vector<double> & values) { values.push_back(smooth(p)); }));
+  }
+
+  [[nodiscard]] FieldVolume
+  image(const std::string & name) const
+  {
+    return readFieldImage(path(name)).volume;
+  }
+
+  void
+  transfer(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.begin(), "transfer");
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+  }
+
+  HexMesh m_Mesh;
+};
+
+} // namespace
+
+TEST_F(TransferCommand, CellMeansTimesVolumesAreTheIntegralOverTheOrgan)
+{
+  transfer({ path("smooth.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd") });
+  const FieldVolume cube = image("cube.nrrd");
+  EXPECT_EQ(cube.size, (std::array<int, 3>{ { 7, 7, 7 } }));
+  EXPECT_EQ(cubeSamplingOf(cube), CubeSampling::Cells);
+  const std::vector<double> volumes = cellVolumes(m_Mesh);
+  const double              mass = std::inner_product(volumes.begin(), volumes.end(), cube.values.begin(), 0.0);
+  // Another road: the midpoint rule for the function itself on a fine lattice. Interpolation limits both to some 1e-4.
+  double exact = 0.0;
+  for (std::size_t cell = 0; cell < volumes.size(); ++cell)
+  {
+    exact += volumes[cell] * smooth(CubeMap(m_Mesh).position({ cell, Vector3::Constant(0.5) }));
+  }
+  EXPECT_NEAR(mass, exact, 1e-3 * exact);
+}
+
+TEST_F(TransferCommand, TheIntegralIsTheSameInTheCubeAndAfterComingBack)
+{
+  const Outcome there =
+    run({ "transfer", path("smooth.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd"), "--conserve" });
+  ASSERT_EQ(there.exitCode, 0) << there.error;
+  const double integral = std::stod(there.out.substr(there.out.find(": ") + 2));
+  transfer({ path("cube.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-image",
+             path("back.nrrd"),
+             "--like",
+             path("smooth.nrrd"),
+             "--conserve" });
+  const FieldVolume back = image("back.nrrd");
+  EXPECT_NEAR(sum(back) * back.voxelVolume(), integral, 1e-6 * integral);
+  transfer({ path("back.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("again.nrrd") });
+  EXPECT_NEAR(image("again.nrrd").values[171], image("cube.nrrd").values[171], 0.05); // the middle cell
+}
+
+TEST_F(TransferCommand, FineSamplingAndBackIsTheImageInTheOrgan)
+{
+  transfer({ path("smooth.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd"), "--sampling", "60" });
+  transfer({ path("cube.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-image",
+             path("back.nrrd"),
+             "--like",
+             path("smooth.nrrd"),
+             "--background",
+             "-1" });
+  const FieldVolume before = image("smooth.nrrd");
+  const FieldVolume after = image("back.nrrd");
+  std::size_t       inside = 0;
+  for (std::size_t voxel = 0; voxel < after.values.size(); ++voxel)
+  {
+    if (after.values[voxel] != -1.0)
+    {
+      ++inside;
+      EXPECT_NEAR(after.values[voxel], before.values[voxel], 0.1); // half a box at the surface
+    }
+  }
+  EXPECT_GT(inside, 3000u);
+}
+
+TEST_F(TransferCommand, NodesHoldTheImageAtTheNodes)
+{
+  transfer({ path("smooth.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd"), "--sampling", "nodes" });
+  const FieldVolume cube = image("cube.nrrd");
+  ASSERT_EQ(cubeSamplingOf(cube), CubeSampling::Nodes);
+  for (std::size_t node = 0; node < m_Mesh.nodes.size(); ++node)
+  {
+    EXPECT_NEAR(cube.values[node], smooth(m_Mesh.nodes[node]), 0.01);
+  }
+}
+
+TEST_F(TransferCommand, AnotherSubjectGetsTheValuesOfTheSamePlaces)
+{
+  const auto coordinates = [](const Vector3 & p, std::vector<double> & values) {
+    values.insert(values.end(), p.data(), p.data() + 3);
+  };
+  writeFieldImage(path("places.nrrd"), imageOf(3, coordinates));
+  transfer({ path("places.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-mesh",
+             path("b.vtu"),
+             "--to-image",
+             path("out.nrrd"),
+             "--like",
+             path("smooth.nrrd"),
+             "--background",
+             "-9" });
+  const FieldVolume out = image("out.nrrd");
+  const HexMesh     other = bar(4.0);
+  const CubeMap     from(m_Mesh);
+  const CubeMap     to(other);
+  std::size_t       inside = 0;
+  for (int j = 0; j < out.size[1]; ++j)
+  {
+    for (int i = 0; i < out.size[0]; ++i)
+    {
+      const Eigen::Map<const Vector3> value(out.at(out.voxelNumber(i, j, 5)));
+      const auto                      place = to.find(out.point(i, j, 5));
+      const Vector3                   expected =
+        place ? from.position(from.place(to.cubeCoordinates(*place))) : Vector3(Vector3::Constant(-9.0));
+      EXPECT_LE((value - expected).norm(), 1e-9); // linear interpolation reproduces coordinates
+      inside += place ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 300u);
+}
+
+TEST_F(TransferCommand, ADensityKeepsItsMassInAnotherSubject)
+{
+  const Outcome there =
+    run({ "transfer", path("smooth.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd") });
+  const double integral = std::stod(there.out.substr(there.out.find(": ") + 2));
+  transfer({ path("smooth.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-mesh",
+             path("b.vtu"),
+             "--to-image",
+             path("out.nrrd"),
+             "--spacing",
+             "1.5",
+             "--conserve" });
+  const FieldVolume out = image("out.nrrd");
+  EXPECT_NEAR(sum(out) * out.voxelVolume(), integral, 1e-6 * integral);
+}
+
+TEST_F(TransferCommand, LabelsGoToMostOfACellAndBack)
+{
+  writeFieldImage(path("labels.nrrd"),
+                  imageOf(1,
+                          [](const Vector3 & p, std::vector<double> & values) {
+                            values.push_back(p[0] < 14.0 ? 0.0 : p[0] < 24.0 ? 3.0 : 300.0);
+                          }),
+                  FieldValues::Labels);
+  transfer({ path("labels.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd"), "--labels" });
+  transfer(
+    { path("labels.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("parts.nrrd"), "--labels", "--fractions" });
+  const FieldVolume cube = image("cube.nrrd");
+  const FieldVolume parts = image("parts.nrrd");
+  ASSERT_EQ(parts.components, 2);
+  EXPECT_EQ(cube.values[0], 0.0);
+  EXPECT_EQ(cube.values[3], 3.0);
+  EXPECT_EQ(cube.values[6], 300.0);
+  EXPECT_NEAR(parts.at(3)[0], 1.0, 1e-12);
+  EXPECT_NEAR(parts.at(4)[0] + parts.at(4)[1], 1.0, 1e-12);
+  EXPECT_NEAR(parts.at(0)[0] + parts.at(0)[1], 0.0, 1e-12);
+  transfer({ path("cube.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-image",
+             path("back.nrrd"),
+             "--like",
+             path("labels.nrrd"),
+             "--labels" });
+  for (const double value : image("back.nrrd").values)
+  {
+    EXPECT_TRUE(value == 0.0 || value == 3.0 || value == 300.0) << value;
+  }
+}
+
+TEST_F(TransferCommand, TurnedVectorsComeBackInTheSubjectsAxes)
+{
+  const auto constant = [](const Vector3 &, std::vector<double> & values) {
+    values.insert(values.end(), { 1.0, 2.0, -2.0 });
+  };
+  writeFieldImage(path("vectors.nrrd"), imageOf(3, constant));
+  transfer({ path("vectors.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-mesh",
+             path("a.vtu"),
+             "--to-image",
+             path("same.nrrd"),
+             "--like",
+             path("smooth.nrrd"),
+             "--rotate" });
+  transfer({ path("vectors.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-cube",
+             path("cube.nrrd"),
+             "--rotate",
+             "--sampling",
+             "nodes" });
+  const FieldVolume same = image("same.nrrd");
+  const std::size_t middle = same.voxelNumber(24, 20, 6);
+  EXPECT_NEAR(same.at(middle)[0], 1.0, 1e-9);
+  EXPECT_NEAR(same.at(middle)[2], -2.0, 1e-9);
+  const FieldVolume cube = image("cube.nrrd");
+  double            largestTurn = 0.0;
+  for (std::size_t node = 0; node < cube.gridVoxels(); ++node)
+  {
+    const Eigen::Map<const Vector3> vector(cube.at(node));
+    EXPECT_NEAR(vector.norm(), 3.0, 1e-12);
+    largestTurn = std::max(largestTurn, (vector - Vector3(1.0, 2.0, -2.0)).norm());
+  }
+  EXPECT_GT(largestTurn, 0.5);
+}
+
+TEST_F(TransferCommand, PointsComeBackToTheirPlaces)
+{
+  const CubeMap map(m_Mesh);
+  std::ofstream table(path("points.csv"));
+  table.precision(17);
+  table << "grade,label,x,y,z\n";
+  std::vector<Vector3> positions;
+  for (const Vector3 & c : { Vector3(0.1, 0.2, 0.3), Vector3(0.0, 0.0, 0.0), Vector3(1.0, 0.5, 0.9) })
+  {
+    positions.push_back(map.position(map.place(c)));
+    table << "4," << positions.size() << ',' << positions.back()[0] << ',' << positions.back()[1] << ','
+          << positions.back()[2] << '\n';
+  }
+  table << "5,far away,200,0,0\n";
+  table.close();
+  const Outcome there = run({ "transfer", path("points.csv"), "--mesh", path("a.vtu"), "--to-cube", path("cube.csv") });
+  EXPECT_EQ(there.exitCode, 0);
+  EXPECT_NE(there.out.find("3 of 4 points"), std::string::npos) << there.out;
+  EXPECT_NE(there.error.find("warning: far away: outside of the mesh"), std::string::npos) << there.error;
+  EXPECT_NE(contentOf(path("cube.csv")).find("far away,,5,200,0,0,,,\n"), std::string::npos);
+  EXPECT_NE(contentOf(path("cube.csv")).find("1,,4,"), std::string::npos);
+
+  const Outcome back = run({ "transfer", path("cube.csv"), "--mesh", path("a.vtu"), "--to-points", path("back.csv") });
+  EXPECT_EQ(back.exitCode, 0);
+  std::ifstream stream(path("back.csv"));
+  std::string   line;
+  std::getline(stream, line);
+  for (const Vector3 & position : positions)
+  {
+    ASSERT_TRUE(std::getline(stream, line));
+    Vector3 found;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%*[^,],,%*[^,],%lf,%lf,%lf", &found[0], &found[1], &found[2]), 3) << line;
+    EXPECT_LE((found - position).norm(), 1e-9);
+  }
+}
+
+TEST_F(TransferCommand, FiducialsGoToAnotherSubject)
+{
+  const HexMesh other = bar(4.0);
+  const CubeMap from(m_Mesh);
+  const CubeMap to(other);
+  const Vector3 c(0.8, 0.5, 0.5);
+  const Vector3 p = from.position(from.place(c));
+  std::ofstream(path("p.fcsv")) << "# CoordinateSystem = RAS\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,"
+                                   "associatedNodeID\n1,"
+                                << std::to_string(-p[0]) << ',' << std::to_string(-p[1]) << ',' << std::to_string(p[2])
+                                << ",0,0,0,1,1,1,0,apex,,\n";
+  transfer(
+    { path("p.fcsv"), "--mesh", path("a.vtu"), "--to-mesh", path("b.vtu"), "--to-points", path("q.csv"), "--quiet" });
+  const std::string text = contentOf(path("q.csv"));
+  Vector3           found;
+  ASSERT_EQ(std::sscanf(text.c_str() + text.find("apex"), "apex,,%lf,%lf,%lf", &found[0], &found[1], &found[2]), 3)
+    << text;
+  EXPECT_LE((found - to.position(to.place(c))).norm(), 1e-5); // the file has six decimals
+}
+
+TEST_F(TransferCommand, RefusesWithOneLine)
+{
+  const std::vector<std::string> start{ "transfer", path("smooth.nrrd"), "--mesh", path("a.vtu") };
+  const auto                     with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), start.begin(), start.end());
+    return run(more);
+  };
+  const std::string out = path("out.nrrd");
+  expectErrorCode(with({}), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", out, "--to-image", out }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", path("smooth.nrrd") }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", out, "--sampling", "many" }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", out, "--sampling", "nodes", "--conserve" }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", path("out.nii") }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", path("no/out.nrrd") }), "E_CANTCREAT");
+  expectErrorCode(with({ "--to-cube", out, "--rotate" }), "E_PIXELTYPE");
+  expectErrorCode(with({ "--to-cube", out, "--labels" }), "E_LABELS");
+  expectErrorCode(with({ "--to-image", out, "--like", path("smooth.nrrd") }), "E_GEOMETRY"); // no image of the cube
+  expectErrorCode(with({ "--to-image", out, "--to-mesh", path("b.vtu") }), "E_USAGE");
+  expectErrorCode(with({ "--to-image", out, "--to-mesh", path("b.vtu"), "--spacing", "1", "2" }), "E_USAGE");
+  expectErrorCode(with({ "--to-points", path("out.csv") }), "E_USAGE");
+  expectErrorCode(run({ "transfer", path("no.nrrd"), "--mesh", path("a.vtu"), "--to-cube", out }), "E_NOINPUT");
+  expectErrorCode(run({ "transfer", path("no.csv"), "--mesh", path("a.vtu"), "--to-cube", path("o.csv") }),
+                  "E_NOINPUT");
+  EXPECT_EQ(fileCount(), 3U);
+}
+
+TEST_F(TransferCommand, AnImageThatEndsInTheOrganIsReported)
+{
+  FieldVolume half = imageOf(1, [](const Vector3 & p, std::vector<double> & values) { values.push_back(smooth(p)); });
+  half.origin[0] -= 25.0;
+  writeFieldImage(path("half.nrrd"), half);
+  const Outcome outcome =
+    run({ "transfer", path("half.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd") });
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_NE(outcome.error.find("% of the mesh lies beyond the image"), std::string::npos) << outcome.error;
+  half.origin[0] -= 1000.0;
+  writeFieldImage(path("half.nrrd"), half);
+  expectErrorCode(run({ "transfer", path("half.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("c2.nrrd") }),
+                  "E_GEOMETRY");
+}
+
+TEST_F(TransferCommand, ThreadsDoNotMatter)
+{
+  for (const char * threads : { "1", "2" })
+  {
+    transfer({ path("smooth.nrrd"),
+               "--mesh",
+               path("a.vtu"),
+               "--to-mesh",
+               path("b.vtu"),
+               "--to-image",
+               path(std::string(threads) + ".nrrd"),
+               "--spacing",
+               "2",
+               "--conserve",
+               "--threads",
+               threads });
+  }
+  EXPECT_EQ(image("1.nrrd").values, image("2.nrrd").values);
+}

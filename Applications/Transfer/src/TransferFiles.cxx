@@ -1,0 +1,162 @@
+#include "TransferFiles.h"
+
+#include "CommandErrors.h"
+#include "moserhex/CubeTransfer/CubeAxes.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moserhex::app
+{
+namespace
+{
+
+constexpr LabelValue mostLabelValue = 65535; ///< of segmentations, far above what they hold
+constexpr int        mostVoxelsPerAxis = 4096;
+constexpr double     mostVoxels = 5e8; ///< what image files may hold
+
+void
+tell(const TransferLog & log, const std::vector<std::string> & warnings)
+{
+  for (const std::string & warning : warnings)
+  {
+    log.warn(warning);
+  }
+}
+
+TransferImage
+readLabels(const TransferOptions & options, const TransferLog & log)
+{
+  LabelReadOptions reading;
+  reading.sandbox = options.sandbox;
+  const LabelImage image = readLabelImage(options.input, reading);
+  tell(log, image.warnings);
+  if (image.labels.back().value > mostLabelValue)
+  {
+    throw BadInput(ErrorCode::Labels,
+                   options.input,
+                   "label " + std::to_string(image.labels.back().value) + ", at most " + std::to_string(mostLabelValue),
+                   "number the labels from 1");
+  }
+  const LabelValues values = labelValuesOf(*image.image);
+  return { FieldVolume{ values, 1, { values.values.begin(), values.values.end() } }, image.labels };
+}
+
+/** Around the mesh, with centres half a voxel within its box's ends. */
+VoxelGrid
+gridAround(const HexMesh & mesh, const Vector3 & spacing)
+{
+  Vector3 lower = mesh.nodes.front();
+  Vector3 upper = lower;
+  for (const Vector3 & node : mesh.nodes)
+  {
+    lower = lower.cwiseMin(node);
+    upper = upper.cwiseMax(node);
+  }
+  VoxelGrid grid;
+  grid.spacing = spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double count = std::ceil((upper - lower)[axis] / spacing[axis]);
+    if (!(count <= mostVoxelsPerAxis))
+    {
+      throw UsageError("--spacing is too small: more than " + std::to_string(mostVoxelsPerAxis) +
+                       " voxels along an axis");
+    }
+    grid.size[static_cast<std::size_t>(axis)] = std::max(static_cast<int>(count), 1);
+    grid.origin[axis] =
+      0.5 * (lower + upper)[axis] - 0.5 * spacing[axis] * (grid.size[static_cast<std::size_t>(axis)] - 1);
+  }
+  if (static_cast<double>(grid.gridVoxels()) > mostVoxels)
+  {
+    throw UsageError("--spacing is too small: " + std::to_string(grid.gridVoxels()) + " voxels");
+  }
+  return grid;
+}
+
+} // namespace
+
+HexMesh
+readTransferMesh(const std::string & fileName, const TransferOptions & options)
+{
+  HexMesh mesh = readHexMesh(fileName, { options.sandbox });
+  if (mesh.paddingLayers > 0)
+  {
+    throw BadInput(ErrorCode::NotHexahedra,
+                   fileName,
+                   "a mesh with padding, whose lattice ends inside the organ",
+                   "give the mesh made without --padding");
+  }
+  const std::vector<double> volumes = cellVolumes(mesh);
+  const auto bad = std::find_if(volumes.begin(), volumes.end(), [](double volume) { return !(volume > 0.0); });
+  if (bad != volumes.end())
+  {
+    throw BadInput(ErrorCode::Precondition,
+                   fileName,
+                   "cell " + std::to_string(bad - volumes.begin()) + " has no positive volume",
+                   "give a mesh that moserhex quality certifies");
+  }
+  return mesh;
+}
+
+TransferImage
+readTransferImage(const TransferOptions & options, const TransferLog & log)
+{
+  if (options.labels)
+  {
+    return readLabels(options, log);
+  }
+  FieldImage image = readFieldImage(options.input, { options.sandbox });
+  tell(log, image.warnings);
+  if (options.rotate && !canBeTurned(image.volume.components))
+  {
+    throw BadInput(ErrorCode::PixelType,
+                   options.input,
+                   std::to_string(image.volume.components) + " numbers per voxel, --rotate needs vectors (3) or "
+                                                             "symmetric tensors (6)",
+                   "leave --rotate out");
+  }
+  if (options.rotate && !image.valuesInLps)
+  {
+    throw BadInput(ErrorCode::Geometry,
+                   options.input,
+                   "the vectors or tensors are in another space than LPS, or have a measurement frame",
+                   "convert them to LPS, or leave --rotate out");
+  }
+  return { std::move(image.volume), {} };
+}
+
+VoxelGrid
+readTargetGrid(const TransferOptions & options, const HexMesh & mesh)
+{
+  if (options.like.empty() == options.spacing.empty())
+  {
+    throw UsageError("--to-image needs --like IMAGE or --spacing MM, one of them");
+  }
+  if (!options.like.empty())
+  {
+    return readFieldImage(options.like, { options.sandbox }).volume;
+  }
+  const std::vector<double> & spacing = options.spacing;
+  if (spacing.size() == 2)
+  {
+    throw UsageError("--spacing takes one or three numbers");
+  }
+  const double last = spacing.back();
+  return gridAround(mesh, spacing.size() == 1 ? Vector3(last, last, last) : Vector3(spacing[0], spacing[1], last));
+}
+
+FieldValues
+valuesOf(const TransferOptions & options, const FieldVolume & volume)
+{
+  constexpr int tensorComponents = 6;
+  if (options.labels && !options.fractions)
+  {
+    return FieldValues::Labels;
+  }
+  return volume.components == tensorComponents && !options.fractions ? FieldValues::SymmetricTensors
+                                                                     : FieldValues::Numbers;
+}
+
+} // namespace moserhex::app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "TransferLog.h"
+#include "TransferOptions.h"
+#include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/HexMeshIO/FieldImageReader.h"
+#include "moserhex/HexMeshIO/FieldImageWriter.h"
+#include "moserhex/HexMeshIO/LabelImageReader.h"
+
+#include <string>
+#include <vector>
+
+namespace moserhex::app
+{
+
+/** An image to transfer. Labels are numbers of one component. */
+struct TransferImage
+{
+  FieldVolume             volume;
+  std::vector<LabelEntry> labels; ///< of a labelmap, ascending, 0 apart
+};
+
+/** Reads a lattice that may be transferred by: no padding, all cells of positive volume.
+ * \throws BadInput, IOError */
+[[nodiscard]] HexMesh
+readTransferMesh(const std::string & fileName, const TransferOptions & options);
+
+/** Reads the input, as labels or numbers, and tells its warnings.
+ * \throws BadInput (Geometry)  it is to be turned and its values are not in LPS, (PixelType) or are neither vectors nor
+ * tensors; IOError */
+[[nodiscard]] TransferImage
+readTransferImage(const TransferOptions & options, const TransferLog & log);
+
+/** The grid of the reference image, or a new one along LPS around the mesh.
+ * \throws UsageError  neither or both are given; BadInput, IOError */
+[[nodiscard]] VoxelGrid
+readTargetGrid(const TransferOptions & options, const HexMesh & mesh);
+
+/** How the output's numbers are kept. */
+[[nodiscard]] FieldValues
+valuesOf(const TransferOptions & options, const FieldVolume & volume);
+
+} // namespace moserhex::app

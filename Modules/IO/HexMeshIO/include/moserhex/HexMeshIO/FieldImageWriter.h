@@ -1,0 +1,29 @@
+#pragma once
+
+#include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/LevelSet/FieldVolume.h"
+
+#include <string>
+
+namespace moserhex
+{
+
+/** How the numbers of an image are kept, and what several of them in a voxel are. */
+enum class FieldValues
+{
+  Numbers,          ///< 64-bit real numbers; of several a vector
+  SymmetricTensors, ///< the same: xx, xy, xz, yy, yz, zz
+  Labels            ///< one 32-bit integer
+};
+
+/** Writes an image as gzip-compressed NRRD in LPS, complete or not at all. NaN and infinity are kept.
+ *
+ * \param fileName  ends with .nrrd
+ * \throws BadInput      the name does not end with .nrrd
+ * \throws InvalidInput  as requireValid(image); tensors of other than 6 components; labels of several components, or
+ *                       that are not whole numbers from 0 to 2^31 - 1
+ * \throws IOError       the file cannot be written, or reads back differently */
+void
+writeFieldImage(const std::string & fileName, const FieldVolume & image, FieldValues values = FieldValues::Numbers);
+
+} // namespace moserhex
