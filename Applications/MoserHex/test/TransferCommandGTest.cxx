@@ -308,6 +308,36 @@ TEST_F(TransferCommand, TurnedVectorsComeBackInTheSubjectsAxes)
   EXPECT_GT(largestTurn, 0.5);
 }
 
+TEST_F(TransferCommand, TurnedTensorsStayTensorsAndComeBack)
+{
+  const std::vector<double> tensor{ 3.0, 0.5, 0.0, 2.0, -0.25, 1.0 };
+  const auto                constant = [&tensor](const Vector3 &, std::vector<double> & values) {
+    values.insert(values.end(), tensor.begin(), tensor.end());
+  };
+  writeFieldImage(path("tensors.nrrd"), imageOf(6, constant), FieldValues::SymmetricTensors);
+  transfer(
+    { path("tensors.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd"), "--rotate", "--sampling", "35" });
+  transfer({ path("cube.nrrd"),
+             "--mesh",
+             path("a.vtu"),
+             "--to-image",
+             path("back.nrrd"),
+             "--like",
+             path("smooth.nrrd"),
+             "--rotate" });
+  EXPECT_NE(contentOf(path("back.nrrd")).find("3D-symmetric-matrix"), std::string::npos);
+  const FieldVolume cube = image("cube.nrrd");
+  const FieldVolume back = image("back.nrrd");
+  const std::size_t middle = back.voxelNumber(24, 20, 6);
+  double            largestTurn = 0.0;
+  for (std::size_t n = 0; n < tensor.size(); ++n)
+  {
+    EXPECT_NEAR(back.at(middle)[n], tensor[n], 0.02); // the rotation is a mean over a box
+    largestTurn = std::max(largestTurn, std::abs(cube.at(cube.gridVoxels() - 1)[n] - tensor[n]));
+  }
+  EXPECT_GT(largestTurn, 0.2);
+}
+
 TEST_F(TransferCommand, PointsComeBackToTheirPlaces)
 {
   const CubeMap map(m_Mesh);

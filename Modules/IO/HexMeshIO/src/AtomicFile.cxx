@@ -3,6 +3,7 @@
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -12,10 +13,14 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace moserhex
@@ -98,10 +103,70 @@ partAndProcess(const std::string & name)
   return std::make_pair(others, std::stol(name.substr(number + 1, part - number - 1)));
 }
 
-bool
-isAlive(long process)
+/** Seconds since the epoch at which a process began; nothing where the system does not tell. */
+std::optional<double>
+startOf(long process)
 {
-  return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string   text{ std::istreambuf_iterator<char>(stat), std::istreambuf_iterator<char>() };
+  const auto    name = text.rfind(')'); // its end; the name may hold anything
+  if (name == std::string::npos)
+  {
+    return std::nullopt;
+  }
+  std::istringstream fields(text.substr(name + 1));
+  std::string        skipped;
+  for (int field = 3; field < 22; ++field)
+  {
+    fields >> skipped;
+  }
+  double ticks = 0.0; // since the system began
+  if (!(fields >> ticks))
+  {
+    return std::nullopt;
+  }
+  const auto secondsOf = [](clockid_t clock) {
+    struct timespec now = {};
+    ::clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  };
+#ifdef CLOCK_BOOTTIME
+  const double sinceBoot = secondsOf(CLOCK_BOOTTIME);
+#else
+  const double            sinceBoot = secondsOf(CLOCK_MONOTONIC);
+#endif
+  return secondsOf(CLOCK_REALTIME) - (sinceBoot - ticks / static_cast<double>(::sysconf(_SC_CLK_TCK)));
+}
+
+/** [s] */
+double
+lastWrite(const struct stat & file)
+{
+#ifdef __APPLE__
+  const struct timespec & time = file.st_mtimespec;
+#else
+  const struct timespec & time = file.st_mtim;
+#endif
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/** Whether the process that made a part may still be writing it: it is there, and began before the part was written
+ * last. One that began later has got the number of one that is no more. */
+bool
+isBeingWritten(const std::string & part, long process)
+{
+  constexpr double clockError = 0.1; // [s]
+  if (::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH)
+  {
+    return false;
+  }
+  struct stat                 written = {};
+  const std::optional<double> start = startOf(process);
+  if (!start || ::stat(part.c_str(), &written) != 0)
+  {
+    return true;
+  }
+  return *start <= lastWrite(written) + clockError;
 }
 
 void
@@ -232,7 +297,7 @@ removeAbandonedParts(const std::vector<std::string> & finalNames)
     for (const fs::directory_entry & entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
     {
       const auto part = partAndProcess(entry.path().filename().string());
-      if (part && names.count(part->first) > 0 && !isAlive(part->second))
+      if (part && names.count(part->first) > 0 && !isBeingWritten(entry.path().string(), part->second))
       {
         ::unlink(entry.path().c_str());
       }

@@ -6,14 +6,6 @@
 namespace moserhex
 {
 
-/** What of the motion between two time points is not deformation. */
-enum class AlignmentKind
-{
-  None,      ///< nothing: the images have the same frame already
-  Rigid,     ///< position and direction of the organ
-  Similarity ///< and its size
-};
-
 /** \throws InvalidInput  as requireLattice of both, or they have not the same n */
 void
 requireComparable(const HexMesh & baseline, const HexMesh & followUp);

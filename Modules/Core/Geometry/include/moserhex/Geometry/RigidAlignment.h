@@ -5,6 +5,14 @@
 namespace moserhex
 {
 
+/** What of the difference between two sets of corresponding points is taken away before they are compared. */
+enum class AlignmentKind
+{
+  None,      ///< nothing: they have the same frame already
+  Rigid,     ///< place and turn; size stays
+  Similarity ///< place, turn and size
+};
+
 /** x -> s R x + t. Rigid where s = 1. */
 struct SimilarityTransform
 {

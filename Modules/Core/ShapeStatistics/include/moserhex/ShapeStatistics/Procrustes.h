@@ -10,14 +10,6 @@
 namespace moserhex
 {
 
-/** What is taken out of the differences between subjects. */
-enum class AlignmentKind
-{
-  None,      ///< nothing: places are compared as they are
-  Rigid,     ///< place and turn; size stays
-  Similarity ///< place, turn and size
-};
-
 /** sqrt(sum |p - centroid|^2), the usual size of a set of landmarks [mm]. \throws InvalidInput  no point */
 [[nodiscard]] double
 centroidSize(const Positions & points);
