@@ -32,7 +32,8 @@ struct MeanMeshResult
  * mean's own boundary as the organ's surface.
  *
  * \param mean  n >= 3 nodes a side; with padding all cells count
- * \throws InvalidInput  as requireValid(mean), n < 3, or a volume that is not positive
+ * \throws InvalidInput  as requireValid(mean), n < 3, or a mean that is no solid: as measureEquality and
+ * equaliseVolumes
  * \throws Cancelled     by the callback
  * \note Never throws for a mesh that is not exact: `exact` and `shortcomings` say so. Deterministic for any number of
  * threads. */
