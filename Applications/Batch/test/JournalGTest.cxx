@@ -111,7 +111,7 @@ TEST_F(JournalTest, NoChangedByteMakesAWrongEntry)
 {
   const std::vector<JournalEntry> entries{ doneEntry("a.vtu"), doneEntry("b.vtu"), doneEntry("c.vtu") };
   write(entries);
-  const std::string good = contentOf(journal());
+  const std::string good = readBytes(journal());
   Random            random(7);
   for (int trial = 0; trial < 1000; ++trial)
   {
