@@ -7,6 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
+#include <thread>
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -112,6 +116,27 @@ TEST(AbandonedParts, OfDeadProcessesAreRemovedAndNothingElse)
   }
   removePartOf(folder / "other.vtu", dead);
   EXPECT_FALSE(fs::exists(folder / others.front()));
+}
+
+TEST(AbandonedParts, OfANumberThatAnotherProcessHasGotAreRemoved)
+{
+  const TestFolder folder;
+  writeBytes(folder / "part", "half");
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const pid_t later = ::fork();
+  if (later == 0)
+  {
+    ::pause();
+  }
+  const std::string part = folder / (".mesh." + std::to_string(later) + ".part.vtu");
+  fs::rename(folder / "part", part); // keeps its time
+  removeAbandonedParts({ folder / "mesh.vtu" });
+  EXPECT_FALSE(fs::exists(part));
+  writeBytes(part, "being written");
+  removeAbandonedParts({ folder / "mesh.vtu" });
+  EXPECT_TRUE(fs::exists(part));
+  ::kill(later, SIGKILL);
+  ASSERT_EQ(::waitpid(later, nullptr, 0), later);
 }
 
 TEST(MakeFolder, MakesWhatIsMissingOrSaysWhyNot)
