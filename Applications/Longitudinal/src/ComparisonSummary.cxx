@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,7 +34,7 @@ alignmentJson(const SimilarityTransform & alignment)
   return { { "scale", alignment.scale },
            { "rotation", { vectorJson(R.row(0)), vectorJson(R.row(1)), vectorJson(R.row(2)) } },
            { "translation_mm", vectorJson(alignment.translation) },
-           { "rotation_degrees", 180.0 / std::acos(-1.0) * Eigen::AngleAxisd(R).angle() } };
+           { "rotation_degrees", alignment.angle() } };
 }
 
 Json

@@ -2,9 +2,11 @@
 
 #include "moserhex/Common/Errors.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <cmath>
 #include <string>
 
 namespace moserhex
@@ -74,6 +76,12 @@ align(const Positions & moving, const Positions & fixed, bool withScale)
 }
 
 } // namespace
+
+double
+SimilarityTransform::angle() const
+{
+  return Eigen::AngleAxis<double>(rotation).angle() * 180.0 / std::acos(-1.0);
+}
 
 SimilarityTransform
 rigidAlignment(const Positions & moving, const Positions & fixed)

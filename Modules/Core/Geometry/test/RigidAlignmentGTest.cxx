@@ -83,6 +83,12 @@ TEST(RigidAlignment, AKnownSimilarityComesBack)
   EXPECT_LE((found.translation - motion.translation).norm(), 1e-10);
 }
 
+TEST(RigidAlignment, AngleIsThatOfTheRotation)
+{
+  EXPECT_NEAR(someMotion(2.0).angle(), 2.5 * 180.0 / std::acos(-1.0), 1e-12);
+  EXPECT_EQ(SimilarityTransform{}.angle(), 0.0);
+}
+
 TEST(RigidAlignment, NoMotionNearbyIsBetter)
 {
   const Positions fixed = disturbed(someMotion(1.2));

@@ -17,8 +17,6 @@ namespace
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-const double degree = std::acos(-1.0) / 180.0;
-
 /** Of a point that goes to grid coordinates and back [grid edges]. */
 constexpr double roundingOfGrid = 1e-6;
 
@@ -98,12 +96,12 @@ private:
 
 /** Sum of squares at a motion, and the normal equations of a step from there when wanted. */
 double
-squaresAt(const Distance &    distance,
-          const Positions &   points,
-          const Vector3 &     middle,
-          const RigidMotion & motion,
-          Matrix6 *           normal,
-          Vector6 *           slope)
+squaresAt(const Distance &            distance,
+          const Positions &           points,
+          const Vector3 &             middle,
+          const SimilarityTransform & motion,
+          Matrix6 *                   normal,
+          Vector6 *                   slope)
 {
   double sum = 0.0;
   for (const Vector3 & point : points)
@@ -123,15 +121,15 @@ squaresAt(const Distance &    distance,
 }
 
 /** A step about the moved middle, after the motion. */
-RigidMotion
-stepped(const RigidMotion & motion, const Vector3 & middle, const Vector6 & step)
+SimilarityTransform
+stepped(const SimilarityTransform & motion, const Vector3 & middle, const Vector6 & step)
 {
   const Vector3 turn = step.head<3>();
   const double  angle = turn.norm();
   const Matrix3 rotation =
     angle > 0.0 ? Eigen::AngleAxis<double>(angle, turn / angle).toRotationMatrix() : Matrix3::Identity();
-  const Vector3 centre = motion(middle);
-  RigidMotion   next;
+  const Vector3       centre = motion(middle);
+  SimilarityTransform next;
   next.rotation = rotation * motion.rotation;
   next.translation = centre + step.tail<3>() - next.rotation * middle;
   return next;
@@ -140,7 +138,7 @@ stepped(const RigidMotion & motion, const Vector3 & middle, const Vector6 & step
 SurfaceAlignmentResult
 descend(const Distance &                distance,
         const Positions &               points,
-        RigidMotion                     motion,
+        SimilarityTransform             motion,
         const SurfaceAlignmentOptions & options)
 {
   const Vector3 middle = middleOf(points);
@@ -163,10 +161,10 @@ descend(const Distance &                distance,
       // Turns in units of the translation that they cause at the farthest point.
       Vector6 scale = Vector6::Constant(static_cast<double>(points.size()));
       scale.head<3>() *= radius * radius;
-      const Matrix6     damped = normal + damping * Matrix6(scale.asDiagonal());
-      const Vector6     step = -damped.ldlt().solve(slope);
-      const RigidMotion next = stepped(motion, middle, step);
-      const double      after = squaresAt(distance, points, middle, next, nullptr, nullptr);
+      const Matrix6             damped = normal + damping * Matrix6(scale.asDiagonal());
+      const Vector6             step = -damped.ldlt().solve(slope);
+      const SimilarityTransform next = stepped(motion, middle, step);
+      const double              after = squaresAt(distance, points, middle, next, nullptr, nullptr);
       isBetter = after < squares;
       damping = isBetter ? std::max(damping / dampingFactor, smallestDamping) : damping * dampingFactor;
       if (isBetter)
@@ -187,12 +185,6 @@ descend(const Distance &                distance,
 
 } // namespace
 
-double
-RigidMotion::angle() const
-{
-  return Eigen::AngleAxis<double>(rotation).angle() / degree;
-}
-
 SurfaceAlignmentResult
 alignToSurface(const Positions & points, const LevelSet & phi, const SurfaceAlignmentOptions & options)
 {
@@ -201,9 +193,9 @@ alignToSurface(const Positions & points, const LevelSet & phi, const SurfaceAlig
   {
     throw InvalidInput("alignToSurface: need three finite points or more");
   }
-  const Distance distance(phi);
-  const Vector3  middle = middleOf(points);
-  RigidMotion    shifted;
+  const Distance      distance(phi);
+  const Vector3       middle = middleOf(points);
+  SimilarityTransform shifted;
   shifted.translation = middleOf(phi) - middle;
   SurfaceAlignmentResult fromHere = descend(distance, points, {}, options);
   SurfaceAlignmentResult fromMiddle = descend(distance, points, shifted, options);

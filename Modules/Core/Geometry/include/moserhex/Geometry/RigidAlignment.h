@@ -25,6 +25,10 @@ struct SimilarityTransform
   {
     return scale * (rotation * x) + translation;
   }
+
+  /** Of the rotation, 0 to 180 [degree]. */
+  [[nodiscard]] double
+  angle() const;
 };
 
 /** The rotation and translation that bring points nearest to others, pair by pair, in the sense of least squares:

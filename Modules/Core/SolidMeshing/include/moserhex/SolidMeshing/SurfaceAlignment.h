@@ -1,28 +1,11 @@
 #pragma once
 
 #include "moserhex/Common/StepReport.h"
-#include "moserhex/Common/Types.h"
+#include "moserhex/Geometry/RigidAlignment.h"
 #include "moserhex/LevelSet/LevelSet.h"
 
 namespace moserhex
 {
-
-/** p -> rotation p + translation. */
-struct RigidMotion
-{
-  Matrix3 rotation{ Matrix3::Identity() };
-  Vector3 translation{ Vector3::Zero() }; ///< [mm]
-
-  [[nodiscard]] Vector3
-  operator()(const Vector3 & p) const
-  {
-    return rotation * p + translation;
-  }
-
-  /** Of the rotation [degree]. */
-  [[nodiscard]] double
-  angle() const;
-};
 
 struct SurfaceAlignmentOptions
 {
@@ -32,11 +15,11 @@ struct SurfaceAlignmentOptions
 
 struct SurfaceAlignmentResult
 {
-  RigidMotion motion;
-  double      shift{ 0.0 };     ///< of the points' middle [mm]
-  double      rmsBefore{ 0.0 }; ///< of the points to the surface as they were given [mm]
-  double      rmsAfter{ 0.0 };  ///< [mm]
-  StepReport  report;           ///< residual = rmsAfter
+  SimilarityTransform motion;           ///< rigid
+  double              shift{ 0.0 };     ///< of the points' middle [mm]
+  double              rmsBefore{ 0.0 }; ///< of the points to the surface as they were given [mm]
+  double              rmsAfter{ 0.0 };  ///< [mm]
+  StepReport          report;           ///< residual = rmsAfter
 };
 
 /** The rigid motion that brings points of one surface nearest to another,
