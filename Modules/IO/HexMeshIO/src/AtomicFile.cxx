@@ -103,9 +103,16 @@ partAndProcess(const std::string & name)
   return std::make_pair(others, std::stol(name.substr(number + 1, part - number - 1)));
 }
 
-/** Seconds since the epoch at which a process began; nothing where the system does not tell. */
-std::optional<double>
-startOf(long process)
+/** What the system tells of a process. */
+struct ProcessState
+{
+  double start{ 0.0 };      ///< [s] since the epoch
+  bool   hasEnded{ false }; ///< it is a zombie, which nobody has collected yet
+};
+
+/** Nothing where the system does not tell. */
+std::optional<ProcessState>
+stateOf(long process)
 {
   std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
   std::string   text{ std::istreambuf_iterator<char>(stat), std::istreambuf_iterator<char>() };
@@ -115,8 +122,10 @@ startOf(long process)
     return std::nullopt;
   }
   std::istringstream fields(text.substr(name + 1));
+  std::string        state;
   std::string        skipped;
-  for (int field = 3; field < 22; ++field)
+  fields >> state;
+  for (int field = 4; field < 22; ++field)
   {
     fields >> skipped;
   }
@@ -135,7 +144,8 @@ startOf(long process)
 #else
   const double            sinceBoot = secondsOf(CLOCK_MONOTONIC);
 #endif
-  return secondsOf(CLOCK_REALTIME) - (sinceBoot - ticks / static_cast<double>(::sysconf(_SC_CLK_TCK)));
+  const double age = sinceBoot - ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  return ProcessState{ secondsOf(CLOCK_REALTIME) - age, state == "Z" || state == "X" };
 }
 
 /** [s] */
@@ -150,8 +160,8 @@ lastWrite(const struct stat & file)
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/** Whether the process that made a part may still be writing it: it is there, and began before the part was written
- * last. One that began later has got the number of one that is no more. */
+/** Whether the process that made a part may still be writing it: it is there, has not ended, and began before the part
+ * was written last. One that began later has got the number of one that is no more. */
 bool
 isBeingWritten(const std::string & part, long process)
 {
@@ -160,13 +170,13 @@ isBeingWritten(const std::string & part, long process)
   {
     return false;
   }
-  struct stat                 written = {};
-  const std::optional<double> start = startOf(process);
-  if (!start || ::stat(part.c_str(), &written) != 0)
+  struct stat                       written = {};
+  const std::optional<ProcessState> owner = stateOf(process);
+  if (!owner || ::stat(part.c_str(), &written) != 0)
   {
     return true;
   }
-  return *start <= lastWrite(written) + clockError;
+  return !owner->hasEnded && owner->start <= lastWrite(written) + clockError;
 }
 
 void
