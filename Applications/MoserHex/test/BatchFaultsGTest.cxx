@@ -78,9 +78,12 @@ TEST_F(BatchFaults, AHangingCaseIsReportedWithinItsLimitAndThreeSeconds)
 {
   writeSolids(1);
   writeFaultyProgram({ { "case-001", "trap '' TERM; while :; do sleep 0.1; done" } });
+  const Stopwatch   stopwatch;
   const Outcome     outcome = batch({ "--time-limit", "1", "--program", path("faulty.sh") });
+  const double      seconds = stopwatch.seconds();
   const std::string summary = contentOf(path("out/summary.csv"));
   EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_LT(seconds, 1.0 + 3.0 + 4.0); // its limit, three seconds, and room for a busy machine
   EXPECT_NE(summary.find("took more than 1 s"), std::string::npos) << summary;
   const Outcome again = batch({ "--time-limit", "1", "--program", path("faulty.sh") });
   const Outcome raised = batch({ "--time-limit", "30" });
