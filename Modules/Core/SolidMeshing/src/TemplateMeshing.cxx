@@ -2,6 +2,7 @@
 #include "ExactStage.h"
 #include "FrameSearch.h"
 #include "StageLog.h"
+#include "TemplateRefiner.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
@@ -19,8 +20,14 @@ namespace
 /** Of the reference, from one that hardly lets the template bend to one that hardly holds it [1]. */
 constexpr std::array<double, 4> referenceWeights{ { 10.0, 2.0, 0.5, 0.1 } };
 
+/** While landmarks and images draw. */
+constexpr double refinementReferenceWeight = 0.1;
+/** Of the ties of a refinement, until it is exact. */
+constexpr std::array<double, 3> refinementParts{ { 1.0, 0.3, 0.1 } };
+
 /** Parts of the whole run, for progress only. */
 constexpr double afterAlignment = 0.1;
+constexpr double afterTying = 0.5;
 
 void
 requireUsable(const SolidMeshingOptions & options)
@@ -91,7 +98,12 @@ public:
   {
     align();
     reportProgress(progress, afterAlignment);
-    tie(progressBetween(progress, afterAlignment, 1.0));
+    const bool isRefined = m_Options.refinement.any();
+    tie(progressBetween(progress, afterAlignment, isRefined ? afterTying : 1.0));
+    if (isRefined)
+    {
+      refine(progressBetween(progress, afterTying, 1.0));
+    }
     const TriangleMesh       surface = marchingTetrahedra(m_Phi, 0.0);
     const ClosestPointSearch search(surface);
     m_Result.boundary = boundaryDistance(m_Result.mesh, nearestPointOn(search, m_PhiAt, 0.0));
@@ -106,9 +118,12 @@ private:
   {
     m_Reference = *m_Options.templateMesh;
     std::ostringstream note;
-    if (m_Options.templateAlignment == TemplateAlignment::Rigid)
+    if (m_Options.templateAlignment != TemplateAlignment::None)
     {
-      m_Result.alignment = alignToSurface(boundaryPoints(m_Reference), m_Phi);
+      SurfaceAlignmentOptions options;
+      options.kind = m_Options.templateAlignment == TemplateAlignment::Affine ? SurfaceAlignmentKind::Affine
+                                                                              : SurfaceAlignmentKind::Rigid;
+      m_Result.alignment = alignToSurface(boundaryPoints(m_Reference), m_Phi, options);
       for (Vector3 & node : m_Reference.nodes)
       {
         node = m_Result.alignment->motion(node);
@@ -128,15 +143,15 @@ private:
   tie(const ProgressCallback & progress)
   {
     EqualisationOptions options = equalisationOptions(m_Options);
-    options.reference = m_Reference.nodes;
+    options.ties.reference = m_Reference.nodes;
     std::optional<EqualisationResult> best;
     for (std::size_t w = 0; w < referenceWeights.size() && !(best && best->exact); ++w)
     {
-      options.referenceWeight = referenceWeights[w];
+      options.ties.referenceWeight = referenceWeights[w];
       EqualisationResult tied = equaliseVolumes(
         m_Reference, signedDistance(m_PhiAt), m_Volume, options, progressOfPart(progress, w, referenceWeights.size()));
       std::ostringstream attempt;
-      attempt << "weight " << options.referenceWeight << ": " << (tied.exact ? "exact" : "not exact");
+      attempt << "weight " << options.ties.referenceWeight << ": " << (tied.exact ? "exact" : "not exact");
       m_Result.attempts.push_back(attempt.str());
       best = !best || isBetter(tied, *best) ? std::move(tied) : std::move(*best);
     }
@@ -147,6 +162,84 @@ private:
       note += (note.empty() ? "" : "; ") + attempt;
     }
     m_Log.add("exact", m_Result.mesh, note);
+  }
+
+  /** One equalisation a scale and, where that is not exact, with weaker ties. */
+  void
+  refine(const ProgressCallback & progress)
+  {
+    if (!m_Result.equalisation->exact)
+    {
+      m_Result.warnings.emplace_back("not refined, as the mesh is not exact");
+      return;
+    }
+    const TemplateRefiner      refiner(*m_Options.templateMesh, m_Options.refinement);
+    TemplateRefinementResult & report = m_Result.refinement.emplace();
+    report.landmarkErrorBefore = landmarkError(m_Result.mesh, refiner.landmarks());
+    EqualisationOptions options = equalisationOptions(m_Options);
+    options.ties.reference = m_Reference.nodes;
+    options.ties.referenceWeight = refinementReferenceWeight;
+    options.ties.landmarks = refiner.landmarks();
+    const std::vector<double> scales = refiner.scales();
+    const HexMesh             tied = m_Result.mesh;
+    for (std::size_t s = 0; s < scales.size(); ++s)
+    {
+      if (m_Options.refinement.images)
+      {
+        options.ties.image = refiner.image(m_Result.mesh, scales[s]);
+      }
+      if (!refineAt(options, progressOfPart(progress, s, scales.size())))
+      {
+        break;
+      }
+    }
+    report.landmarkErrorAfter = landmarkError(m_Result.mesh, refiner.landmarks());
+    if (options.ties.image)
+    {
+      report.imageDifferenceBefore = imageDifference(tied, *options.ties.image);
+      report.imageDifferenceAfter = imageDifference(m_Result.mesh, *options.ties.image);
+    }
+    m_Log.add("refined", m_Result.mesh, describe(report));
+  }
+
+  [[nodiscard]] bool
+  refineAt(EqualisationOptions options, const ProgressCallback & progress)
+  {
+    const LatticeTies full = options.ties;
+    for (std::size_t part = 0; part < refinementParts.size(); ++part)
+    {
+      options.ties.landmarkWeight = refinementParts[part] * full.landmarkWeight;
+      options.ties.imageWeight = refinementParts[part] * full.imageWeight;
+      EqualisationResult refined = equaliseVolumes(m_Result.mesh,
+                                                   signedDistance(m_PhiAt),
+                                                   m_Volume,
+                                                   options,
+                                                   progressOfPart(progress, part, refinementParts.size()));
+      if (refined.exact)
+      {
+        take(std::move(refined));
+        return true;
+      }
+      m_Result.attempts.push_back("refinement, part " + std::to_string(refinementParts[part]) + ": not exact");
+    }
+    m_Result.warnings.emplace_back("the refinement stopped early, as further meshes were not exact");
+    return false;
+  }
+
+  [[nodiscard]] std::string
+  describe(const TemplateRefinementResult & report) const
+  {
+    std::ostringstream text;
+    if (!m_Options.refinement.landmarks.empty())
+    {
+      text << "landmarks " << report.landmarkErrorBefore << " -> " << report.landmarkErrorAfter << " mm";
+    }
+    if (m_Options.refinement.images)
+    {
+      text << (m_Options.refinement.landmarks.empty() ? "" : ", ") << "image difference "
+           << report.imageDifferenceBefore << " -> " << report.imageDifferenceAfter << " standard deviations";
+    }
+    return text.str();
   }
 
   void
