@@ -136,8 +136,8 @@ addImageEnergy(const LatticeLayout &   layout,
       if (i + 1 < n && j + 1 < n)
       {
         const std::size_t cell = i + (n - 1) * (j + (n - 1) * k);
-        energies[slab] +=
-          addCell(layout, x, layout.cellNodes(cell), image, &image.values[latticeSamplesPerCell * cell], weight, gradient);
+        energies[slab] += addCell(
+          layout, x, layout.cellNodes(cell), image, &image.values[latticeSamplesPerCell * cell], weight, gradient);
       }
     }
   });

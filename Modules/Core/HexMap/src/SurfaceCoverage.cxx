@@ -41,8 +41,7 @@ SurfaceCoverage::SurfaceCoverage(const LatticeLayout & layout, Positions surface
 void
 SurfaceCoverage::associate(const Eigen::VectorXd & x)
 {
-  const ClosestPointSearch search(
-    quadFans(m_Quads, [this, &x](std::size_t node) { return m_Layout.at(x, node); }));
+  const ClosestPointSearch search(quadFans(m_Quads, [this, &x](std::size_t node) { return m_Layout.at(x, node); }));
   std::vector<ClosestPointOnSurface> nearest(m_SurfacePoints.size());
   m_Nearest.resize(nearest.size(), -1);
   parallelForBlocks(nearest.size(), pointsPerBlock, m_Threads, [&](std::size_t begin, std::size_t end) {

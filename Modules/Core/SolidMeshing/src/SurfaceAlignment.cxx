@@ -3,7 +3,7 @@
 #include "moserhex/Common/Errors.h"
 #include "moserhex/LevelSet/CubicInterpolation.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -24,6 +24,8 @@ constexpr double firstDamping = 1e-3;
 constexpr double smallestDamping = 1e-9;
 constexpr double largestDamping = 1e6;
 constexpr double dampingFactor = 5.0;
+/** Part of the largest stiffness below which a direction is not determined [1]. */
+constexpr double undetermined = 1e-3;
 
 /** An end must be better by this factor to count for more than one that is nearer to the start [1]. */
 constexpr double muchBetter = 0.99;
@@ -220,8 +222,7 @@ public:
       ++result.report.steps;
       for (bool isBetter = false; !isBetter && damping <= largestDamping;)
       {
-        const Normal          damped = normal + damping * Normal(scale().asDiagonal());
-        const Step            step = -damped.ldlt().solve(slope);
+        const Step            step = stepOf(normal, slope, damping);
         const AffineTransform next = stepped(motion, step);
         const double          after = next.matrix.determinant() > 0.0 ? lossAt(next) : loss;
         isBetter = after < loss;
@@ -271,13 +272,24 @@ private:
     }
   }
 
-  /** Of the damping: all but translations in units of the translation that they cause at the farthest point. */
+  /** The damped Gauss-Newton step, without directions that the surface does not determine: those in which it hardly
+   * leaves itself. All but translations in units of the translation that they cause at the farthest point. */
   [[nodiscard]] Step
-  scale() const
+  stepOf(const Normal & normal, const Step & slope, double damping) const
   {
-    Step scale = Step::Constant(static_cast<double>(m_Points.size()));
-    scale.template head<TSteps::size - 3>() *= m_Radius * m_Radius;
-    return scale;
+    Step unit = Step::Ones();
+    unit.template head<TSteps::size - 3>() /= m_Radius;
+    const Normal                                scaled = unit.asDiagonal() * normal * unit.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Normal> modes(scaled);
+    const double                                largest = modes.eigenvalues().maxCoeff();
+    Step amplitudes = modes.eigenvectors().transpose() * unit.cwiseProduct(slope);
+    for (int mode = 0; mode < TSteps::size; ++mode)
+    {
+      const double stiffness = modes.eigenvalues()[mode];
+      amplitudes[mode] *=
+        stiffness > undetermined * largest ? -1.0 / (stiffness + damping * static_cast<double>(m_Points.size())) : 0.0;
+    }
+    return unit.cwiseProduct(modes.eigenvectors() * amplitudes);
   }
 
   /** A step about the moved middle, after the motion. */
@@ -358,8 +370,10 @@ robustlyFromAny(const Distance &                     distance,
   {
     End                   other = robustlyFrom<TSteps>(distance, points, starts[s], options);
     const Descent<TSteps> judge(distance, points, Loss(std::min(best.scale, other.scale)));
-    const bool            isBetter = judge.lossAt(other.result.motion) < muchBetter * judge.lossAt(best.result.motion);
-    best = isBetter ? std::move(other) : std::move(best);
+    if (judge.lossAt(other.result.motion) < muchBetter * judge.lossAt(best.result.motion))
+    {
+      best = std::move(other);
+    }
   }
   return best.result;
 }

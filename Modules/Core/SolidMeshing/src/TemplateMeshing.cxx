@@ -153,7 +153,10 @@ private:
       std::ostringstream attempt;
       attempt << "weight " << options.ties.referenceWeight << ": " << (tied.exact ? "exact" : "not exact");
       m_Result.attempts.push_back(attempt.str());
-      best = !best || isBetter(tied, *best) ? std::move(tied) : std::move(*best);
+      if (!best || isBetter(tied, *best))
+      {
+        best = std::move(tied);
+      }
     }
     take(std::move(*best));
     std::string note;

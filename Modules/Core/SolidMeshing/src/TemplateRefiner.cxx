@@ -20,6 +20,9 @@ namespace
 
 const std::vector<double> imageScales{ 2.0, 1.0, 0.5 };
 
+/** An image that varies less than this part of its mean does not vary [1]. */
+constexpr double roundingOfValues = 1e-9;
+
 /** A mean cell's [mm]. */
 double
 cellEdge(const HexMesh & mesh)
@@ -124,7 +127,7 @@ sampled(const ScalarVolume & image, const HexMesh & mesh, double scale, const st
     result.deviation += std::pow(value - result.mean, 2) / static_cast<double>(points.size());
   }
   result.deviation = std::sqrt(result.deviation);
-  if (!(result.deviation > 0.0))
+  if (!(result.deviation > roundingOfValues * std::abs(result.mean)))
   {
     throw InvalidInput(what + ": it is the same everywhere in the organ");
   }

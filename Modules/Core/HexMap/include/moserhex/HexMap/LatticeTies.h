@@ -14,8 +14,8 @@ namespace moserhex
 /** A place of the lattice, the weighted mean of up to eight nodes, and the point of space where it belongs. */
 struct LatticeLandmark
 {
-  std::array<std::size_t, 8> nodes{}; ///< numbers, of the lattice without padding
-  std::array<double, 8>      weights{}; ///< sum 1; 0 where there are fewer nodes [1]
+  std::array<std::size_t, 8> nodes{};                     ///< numbers, of the lattice without padding
+  std::array<double, 8>      weights{};                   ///< sum 1; 0 where there are fewer nodes [1]
   Vector3                    position{ Vector3::Zero() }; ///< LPS [mm]
 };
 

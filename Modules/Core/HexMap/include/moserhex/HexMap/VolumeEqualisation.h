@@ -115,8 +115,8 @@ tangledCells(int nodesPerSide);
  * what is equalised; for VolumeMeasure the total is `volume` \param total    sum of the measure over the organ; every
  * cell gets the same part, > 0 [unit of the measure] \throws InvalidInput  no n^3 finite nodes; a volume, total or
  * option out of range; no closed surface at the start \throws Cancelled     by the callback \note Never throws for a
- * mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is returned as it is, unless there are landmarks or an image.
- * Deterministic for any number of threads. */
+ * mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is returned as it is, unless
+ * there are landmarks or an image. Deterministic for any number of threads. */
 [[nodiscard]] EqualisationResult
 equaliseMeasures(const HexMesh &             start,
                  const SignedDistance &      phi,
