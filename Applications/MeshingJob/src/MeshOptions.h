@@ -21,7 +21,7 @@ struct MeshCommandOptions
   int                        padding{ 0 };                ///< layers of pillow cells around the lattice
   std::string                frame{ "anatomical" };       ///< anatomical | ridge
   std::string                templateMesh;                ///< mesh that this one is to be like; empty: none
-  std::string                align{ "rigid" };            ///< rigid | none: how the template is brought to the label
+  std::string                align{ "rigid" };            ///< rigid | affine | none: how the template is brought to the label
   std::string                density;                     ///< image of a positive density; empty: volumes
   bool                       allowPartial{ false };       ///< write a mesh that is not exact, with a warning
   std::string                shellMethod{ "auto" };       ///< auto | chan-vese | snapshots | eikonal
@@ -35,7 +35,7 @@ struct MeshCommandOptions
 inline const std::vector<std::string> stageNames{ "initial", "smoothed", "moser", "exact" };
 inline const std::vector<std::string> wayNames{ "fast", "faithful" };
 inline const std::vector<std::string> frameNames{ "anatomical", "ridge" };
-inline const std::vector<std::string> alignNames{ "rigid", "none" };
+inline const std::vector<std::string> alignNames{ "rigid", "affine", "none" };
 inline const std::vector<std::string> topologyNames{ "repair", "reject" };
 inline const std::vector<std::string> shellMethodNames{ "auto", "chan-vese", "snapshots", "eikonal" };
 

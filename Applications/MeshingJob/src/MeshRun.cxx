@@ -34,6 +34,17 @@ stageOf(const std::string & name)
   return stages.at(name);
 }
 
+TemplateAlignment
+alignmentOf(const std::string & name)
+{
+  static const std::map<std::string, TemplateAlignment> alignments{
+    { "rigid", TemplateAlignment::Rigid },
+    { "affine", TemplateAlignment::Affine },
+    { "none", TemplateAlignment::None },
+  };
+  return alignments.at(name);
+}
+
 /** ITK's NIfTI reader turns values that are not finite into 0: one who looks for that 0 in the file finds none. */
 std::string
 remedyForDensity(const std::string & fileName, const std::string & description)
@@ -102,7 +113,7 @@ runPipeline(const ChosenSolid &        solid,
   if (!options.templateMesh.empty())
   {
     filter->SetTemplateMesh(readTemplate(options));
-    filter->SetTemplateAlignment(options.align == "none" ? TemplateAlignment::None : TemplateAlignment::Rigid);
+    filter->SetTemplateAlignment(alignmentOf(options.align));
   }
   filter->SetDensityImage(density);
   if (options.shellMethod != "auto")
