@@ -96,6 +96,11 @@ TEST_F(CompareCommand, AlignmentAndRegionsAreChosen)
               .out,
             "");
   EXPECT_EQ(readHexMesh(path("out/time-001.vtu")).nodes[0], Vector3(50, 0, 0));
+  const std::string mesh = contentOf(path("out/time-001.vtu"));
+  for (const char * array : { "HalvesRightLeft", "HalvesAnteriorPosterior", "HalvesInferiorSuperior", "Boxes" })
+  {
+    EXPECT_NE(mesh.find(std::string("Name=\"") + array + '"'), std::string::npos) << array;
+  }
   const std::string table = contentOf(path("out/regions.csv"));
   EXPECT_NE(table.find("1,b,,halves,left,"), std::string::npos);
   EXPECT_NE(table.find("1,b,,boxes,apex,"), std::string::npos);
