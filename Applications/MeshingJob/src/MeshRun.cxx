@@ -65,10 +65,19 @@ throwOutOfMemory(const MeshCommandOptions & options)
     ErrorCode::OutOfMemory, options.input.file, "not enough memory", "use fewer shells or crop the image");
 }
 
-HexMesh
-readTemplate(const MeshCommandOptions & options)
+TemplateAlignment
+templateAlignmentOf(const std::string & name)
 {
-  HexMesh mesh = readHexMesh(options.templateMesh, { options.input.sandbox });
+  static const std::map<std::string, TemplateAlignment> alignments{
+    { "none", TemplateAlignment::None },
+    { "rigid", TemplateAlignment::Rigid },
+  };
+  return alignments.at(name);
+}
+
+void
+requireTemplate(const HexMesh & mesh, const MeshCommandOptions & options)
+{
   if (mesh.nodesPerSide != 2 * options.shells || mesh.paddingLayers > 0)
   {
     throw BadInput(ErrorCode::NotHexahedra,
@@ -77,7 +86,6 @@ readTemplate(const MeshCommandOptions & options)
                      std::to_string(mesh.paddingLayers) + " layers of padding",
                    "give one of --shells " + std::to_string(options.shells) + " without padding");
   }
-  return mesh;
 }
 
 } // namespace
@@ -86,7 +94,8 @@ PipelineType::Pointer
 runPipeline(const ChosenSolid &        solid,
             const ScalarImageType *    density,
             const MeshCommandOptions & options,
-            const ProgressCallback &   progress)
+            const ProgressCallback &   progress,
+            const HexMesh *            templateMesh)
 {
   const auto filter = PipelineType::New();
   filter->SetInput(solid.mask);
@@ -101,8 +110,11 @@ runPipeline(const ChosenSolid &        solid,
   filter->SetPaddingLayers(options.padding);
   if (!options.templateMesh.empty())
   {
-    filter->SetTemplateMesh(readTemplate(options));
-    filter->SetTemplateAlignment(options.align == "none" ? TemplateAlignment::None : TemplateAlignment::Rigid);
+    HexMesh mesh =
+      templateMesh != nullptr ? *templateMesh : readHexMesh(options.templateMesh, { options.input.sandbox });
+    requireTemplate(mesh, options);
+    filter->SetTemplateMesh(std::move(mesh));
+    filter->SetTemplateAlignment(templateAlignmentOf(options.align));
   }
   filter->SetDensityImage(density);
   if (options.shellMethod != "auto")
