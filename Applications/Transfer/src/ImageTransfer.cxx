@@ -1,6 +1,8 @@
 #include "ImageTransfer.h"
 
 #include "CommandErrors.h"
+#include "LabelShares.h"
+#include "SubjectFunction.h"
 #include "TransferFiles.h"
 #include "moserhex/CubeTransfer/CubeAxes.h"
 #include "moserhex/CubeTransfer/CubeImage.h"
@@ -10,7 +12,6 @@
 #include "moserhex/CubeTransfer/GridSamples.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -20,8 +21,6 @@ namespace moserhex::app
 {
 namespace
 {
-
-constexpr std::size_t mostFractions = 256;
 
 /** Boxes of the cube along each axis. \throws UsageError  not a number, or nodes */
 int
@@ -40,72 +39,6 @@ boxesPerAxis(const TransferOptions & options, int cellsPerAxis)
   }
   return number;
 }
-
-ImageInterpolation
-interpolationOf(const TransferOptions & options)
-{
-  return options.nearest || options.labels ? ImageInterpolation::Nearest : ImageInterpolation::Linear;
-}
-
-/** A subject's image as a function of the cube. Points beyond the image are background, and counted. */
-class SubjectFunction
-{
-public:
-  SubjectFunction(const TransferImage & image, const TransferOptions & options)
-    : m_Field(image.volume, interpolationOf(options)), m_Components(image.volume.components), m_Options(options)
-  {}
-
-  [[nodiscard]] int
-  components() const
-  {
-    return m_Components;
-  }
-
-  void
-  operator()(const CubePoint & point, double * values) const
-  {
-    ++m_Asked;
-    if (!m_Field.evaluate(point.position, values))
-    {
-      ++m_Beyond;
-      std::fill_n(values, m_Components, m_Options.background);
-      return;
-    }
-    if (m_Options.rotate)
-    {
-      turn(rotationPart(point.jacobian).transpose(), m_Components, values);
-    }
-  }
-
-  /** \throws BadInput (Geometry)  no point was in the image; warns when some were not */
-  void
-  requireCover(const TransferLog & log) const
-  {
-    if (m_Beyond > 0 && m_Beyond == m_Asked)
-    {
-      throw BadInput(ErrorCode::Geometry,
-                     m_Options.input,
-                     "the image does not reach the mesh",
-                     "give the image of the same scan, both in LPS millimetres");
-    }
-    if (m_Beyond > 0)
-    {
-      char text[120];
-      std::snprintf(text,
-                    sizeof text,
-                    ": %.3g %% of the mesh lies beyond the image: background there",
-                    100.0 * static_cast<double>(m_Beyond) / static_cast<double>(m_Asked));
-      log.warn(m_Options.input + text);
-    }
-  }
-
-private:
-  FieldFunction                    m_Field;
-  int                              m_Components;
-  const TransferOptions &          m_Options;
-  mutable std::atomic<std::size_t> m_Asked{ 0 };
-  mutable std::atomic<std::size_t> m_Beyond{ 0 };
-};
 
 /** Two Gauss points for each voxel along the edge of a box of mean volume. */
 CubeMeanOptions
@@ -138,6 +71,21 @@ massesOf(FieldVolume means, const std::vector<double> & volumes)
   return means;
 }
 
+/** The image with background where its voxels have no data. */
+FieldVolume
+withBackground(const TransferImage & image, double background)
+{
+  FieldVolume result = image.volume;
+  for (std::size_t voxel = 0; voxel < image.hasValue.size(); ++voxel)
+  {
+    if (image.hasValue[voxel] == 0)
+    {
+      std::fill_n(result.at(voxel), result.components, background);
+    }
+  }
+  return result;
+}
+
 std::string
 numberText(double value)
 {
@@ -150,56 +98,6 @@ double
 sumOf(const FieldVolume & image)
 {
   return std::accumulate(image.values.begin(), image.values.end(), 0.0);
-}
-
-/** Of every box the part of its volume in each label, 0 first. */
-CubeMeans
-labelFractions(const HexMesh &         mesh,
-               const SubjectFunction & f,
-               const TransferImage &   image,
-               const CubeMeanOptions & options)
-{
-  if (image.labels.size() >= mostFractions)
-  {
-    throw UsageError("--labels: " + std::to_string(image.labels.size()) + " labels, at most " +
-                     std::to_string(mostFractions - 1) + " by cells; take --sampling nodes");
-  }
-  std::vector<double> labels{ 0.0 };
-  std::transform(image.labels.begin(), image.labels.end(), std::back_inserter(labels), [](const LabelEntry & entry) {
-    return static_cast<double>(entry.value);
-  });
-  const auto indicators = [&f, &labels](const CubePoint & point, double * values) {
-    double label = 0.0;
-    f(point, &label);
-    std::transform(labels.begin(), labels.end(), values, [label](double other) { return label == other ? 1.0 : 0.0; });
-  };
-  return cubeMeans(mesh, indicators, static_cast<int>(labels.size()), options);
-}
-
-/** The label with the largest part of each box, of equal ones the smallest. */
-FieldVolume
-majority(const FieldVolume & fractions, const std::vector<LabelEntry> & labels)
-{
-  FieldVolume result{ fractions, 1, {} };
-  for (std::size_t box = 0; box < fractions.gridVoxels(); ++box)
-  {
-    const double * const first = fractions.at(box);
-    const auto           largest = std::max_element(first, first + fractions.components) - first;
-    result.values.push_back(largest == 0 ? 0.0 : labels[static_cast<std::size_t>(largest - 1)].value);
-  }
-  return result;
-}
-
-/** Without the first component, the background's. */
-FieldVolume
-withoutBackground(const FieldVolume & fractions)
-{
-  FieldVolume result{ fractions, fractions.components - 1, {} };
-  for (std::size_t box = 0; box < fractions.gridVoxels(); ++box)
-  {
-    result.values.insert(result.values.end(), fractions.at(box) + 1, fractions.at(box) + fractions.components);
-  }
-  return result;
 }
 
 FieldVolume
@@ -339,14 +237,17 @@ cubeToImage(const TransferOptions & options, const TransferLog & log)
   if (options.conserve)
   {
     const std::vector<double> volumes = cubeVolumes(mesh, { cube.volume.size[0], 2, options.threads });
-    writeMasses(mesh, massesOf(cube.volume, volumes), grid, options, log);
+    writeMasses(mesh, massesOf(withBackground(cube, options.background), volumes), grid, options, log);
     return;
   }
-  const FieldFunction field(cube.volume, interpolationOf(options));
+  const FieldFunction field(cube.volume, cube.hasValue, interpolationOf(options));
   const int           components = cube.volume.components;
   const CubeFunction  f = [&](const CubePoint & point, double * values) {
-    (void)field.evaluate(point.cube, values); // the whole cube is in it
-    if (options.rotate)
+    if (!field.evaluate(point.cube, values)) // beyond a mask: the whole cube is in the image
+    {
+      std::fill_n(values, components, options.background);
+    }
+    else if (options.rotate)
     {
       turn(rotationPart(point.jacobian), components, values);
     }
@@ -396,6 +297,10 @@ requireImageOptions(const TransferOptions & options)
   if (options.fractions && (!options.labels || options.toCube.empty()))
   {
     throw UsageError("--fractions needs --labels and --to-cube");
+  }
+  if (!options.valuesIn.empty() && !options.rotate)
+  {
+    throw UsageError("--values-in is of --rotate");
   }
   if (options.conserve && options.rotate)
   {

@@ -1,5 +1,6 @@
 #include "moserhex/HexMeshIO/FieldImageWriter.h"
 
+#include "NiftiWriter.h"
 #include "NrrdWriter.h"
 #include "moserhex/HexMeshIO/FieldImageReader.h"
 
@@ -61,7 +62,12 @@ writeFieldImage(const std::string & fileName, const FieldVolume & image, FieldVa
   requireFitting(image, values);
   const bool                      isLabels = values == FieldValues::Labels;
   const std::vector<std::int32_t> labels = isLabels ? labelsOf(image) : std::vector<std::int32_t>();
-  const auto                      isSame = [&image](const std::string & partName) {
+  if (isNiftiName(fileName))
+  {
+    writeNiftiFile(fileName, image, values, labels);
+    return;
+  }
+  const auto isSame = [&image](const std::string & partName) {
     const FieldImage read = readFieldImage(partName, { false }); // of our own
     return isSamePlace(read.volume, image) && read.volume.values.size() == image.values.size() &&
            std::memcmp(read.volume.values.data(), image.values.data(), image.values.size() * sizeof(double)) == 0;

@@ -147,4 +147,30 @@ transformedByFile(const std::string & fileName, const Positions & points, const 
   return ParcelReader(parcel, 0).positions();
 }
 
+SimilarityTransform
+similarityOfFile(const std::string & fileName, const ReadOptions & options)
+{
+  constexpr double halfSide = 100.0;
+  constexpr double largestError = 1e-4;
+  Positions        corners;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    const auto sign = [corner](unsigned int axis) { return (corner >> axis & 1U) != 0 ? halfSide : -halfSide; };
+    corners.emplace_back(sign(0), sign(1), sign(2));
+  }
+  const Positions           moved = transformedByFile(fileName, corners, options);
+  const SimilarityTransform similarity = similarityAlignment(corners, moved);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+  {
+    if ((similarity(corners[corner]) - moved[corner]).norm() > largestError)
+    {
+      throw BadInput(ErrorCode::Unsupported,
+                     fileName,
+                     "it does more than to move, turn and scale all axes alike",
+                     "give a rigid transform");
+    }
+  }
+  return similarity;
+}
+
 } // namespace moserhex

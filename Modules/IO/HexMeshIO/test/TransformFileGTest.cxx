@@ -145,6 +145,27 @@ TEST_P(TransformFile, OfADisplacementField)
   EXPECT_LT((transformed("a.h5")[0] - Vector3(1.5, 2.5, 3.5)).norm(), 1e-12);
 }
 
+TEST_P(TransformFile, OfASimilarityIsFoundAgain)
+{
+  write("a.tfm", text);
+  const SimilarityTransform found = similarityOfFile(m_Folder / "a.tfm", { GetParam() });
+  EXPECT_NEAR(found.scale, 2.0, 1e-12);
+  EXPECT_LT((found.rotation - Matrix3::Identity()).norm(), 1e-12);
+  EXPECT_LT((found.translation - Vector3(10, 0, -1)).norm(), 1e-10);
+}
+
+TEST_P(TransformFile, ThatShearsOrMirrorsIsNoSimilarity)
+{
+  for (const char * matrix : { "1 0.1 0 0 1 0 0 0 1", "-1 0 0 0 1 0 0 0 1" })
+  {
+    std::string other = text;
+    other.replace(other.find("2 0 0 0 2 0 0 0 2"), 17, matrix);
+    write("a.tfm", other);
+    const std::string error = errorOf([&] { (void)similarityOfFile(m_Folder / "a.tfm", { GetParam() }); });
+    EXPECT_EQ(error.substr(0, 13), "E_UNSUPPORTED") << error;
+  }
+}
+
 TEST_P(TransformFile, RefusesWhatIsNone)
 {
   expectRefused("missing.tfm", ErrorCode::NoInput);

@@ -86,7 +86,10 @@ struct SolidMeshingOptions
   /** A lattice of N shells that the mesh is to be like, node by node: see meshOnTemplate. Empty: none. */
   std::optional<HexMesh> templateMesh;
   TemplateAlignment      templateAlignment{ TemplateAlignment::Rigid };
-  TemplateRefinement     refinement; ///< of a mesh that is tied; needs a template
+  /** Its nodes in the solid's space, as many, where a transform takes them there [mm]; in place of templateAlignment.
+   */
+  std::optional<Positions> templateNodes;
+  TemplateRefinement       refinement; ///< of a mesh that is tied; needs a template
 
   /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
    * null: volumes. Only with the last stage Exact; refused otherwise. */

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "moserhex/Common/Types.h"
+#include "moserhex/Geometry/RigidAlignment.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/HexMeshIO/ReadOptions.h"
 
@@ -23,5 +24,11 @@ isTransformName(const std::string & fileName);
  * one that is not finite; IOError  the file cannot be opened or read */
 [[nodiscard]] Positions
 transformedByFile(const std::string & fileName, const Positions & points, const ReadOptions & options = {});
+
+/** The transform of a file that moves, turns and scales all axes alike, and does no more: judged by the corners of a
+ * cube of side 200 mm around the origin, to 1e-4 mm. \throws BadInput (Unsupported)  another kind, a mirroring one
+ * included; BadInput, IOError  as transformedByFile */
+[[nodiscard]] SimilarityTransform
+similarityOfFile(const std::string & fileName, const ReadOptions & options = {});
 
 } // namespace moserhex
