@@ -407,7 +407,7 @@ TEST_F(TransferCommand, RefusesWithOneLine)
   expectErrorCode(with({ "--to-cube", path("smooth.nrrd") }), "E_USAGE");
   expectErrorCode(with({ "--to-cube", out, "--sampling", "many" }), "E_USAGE");
   expectErrorCode(with({ "--to-cube", out, "--sampling", "nodes", "--conserve" }), "E_USAGE");
-  expectErrorCode(with({ "--to-cube", path("out.nii") }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", path("out.mha") }), "E_USAGE");
   expectErrorCode(with({ "--to-cube", path("no/out.nrrd") }), "E_CANTCREAT");
   expectErrorCode(with({ "--to-cube", out, "--rotate" }), "E_PIXELTYPE");
   expectErrorCode(with({ "--to-cube", out, "--labels" }), "E_LABELS");

@@ -1,5 +1,6 @@
 #include "moserhex/HexMeshIO/FieldImageWriter.h"
 
+#include "FileNames.h"
 #include "NiftiWriter.h"
 #include "NrrdWriter.h"
 #include "moserhex/HexMeshIO/FieldImageReader.h"
@@ -34,8 +35,13 @@ labelsOf(const FieldVolume & image)
 }
 
 void
-requireFitting(const FieldVolume & image, FieldValues values)
+requireFitting(const std::string & fileName, const FieldVolume & image, FieldValues values)
 {
+  if (!isNiftiName(fileName) && !endsWith(fileName, ".nrrd"))
+  {
+    throw BadInput(
+      ErrorCode::Usage, fileName, "images are written as NRRD or NIfTI-1", "give a .nrrd, .nii or .nii.gz name");
+  }
   requireValid(image, "image");
   const int needed = values == FieldValues::Labels ? 1 : tensorComponents;
   if (values != FieldValues::Numbers && image.components != needed)
@@ -59,7 +65,7 @@ pixelOf(const FieldVolume & image, FieldValues values)
 void
 writeFieldImage(const std::string & fileName, const FieldVolume & image, FieldValues values)
 {
-  requireFitting(image, values);
+  requireFitting(fileName, image, values);
   const bool                      isLabels = values == FieldValues::Labels;
   const std::vector<std::int32_t> labels = isLabels ? labelsOf(image) : std::vector<std::int32_t>();
   if (isNiftiName(fileName))
