@@ -119,7 +119,7 @@ class Template(FolderTest):
         template = moserhex.mesh(LABELS, RAS, shells=3)
         for code, options in (
             ("E_NOT_HEXAHEDRA", {"shells": 4}),
-            ("E_USAGE", {"align": "affine"}),
+            ("E_USAGE", {"align": "similarity"}),
             ("E_USAGE", {"padding": 1}),
             ("E_USAGE", {"frame": "ridge"}),
             ("E_USAGE", {"way": "faithful"}),

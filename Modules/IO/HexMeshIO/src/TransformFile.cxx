@@ -12,6 +12,8 @@
 #include <itkTransformFileReader.h>
 #include <itkTxtTransformIO.h>
 
+#include <Eigen/LU>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -158,16 +160,25 @@ similarityOfFile(const std::string & fileName, const ReadOptions & options)
     const auto sign = [corner](unsigned int axis) { return (corner >> axis & 1U) != 0 ? halfSide : -halfSide; };
     corners.emplace_back(sign(0), sign(1), sign(2));
   }
-  const Positions           moved = transformedByFile(fileName, corners, options);
+  const auto refuse = [&fileName]() {
+    throw BadInput(ErrorCode::Unsupported,
+                   fileName,
+                   "it does more than to move, turn and scale all axes alike",
+                   "give a rigid transform");
+  };
+  const Positions moved = transformedByFile(fileName, corners, options);
+  Matrix3         axes;
+  axes << moved[1] - moved[0], moved[2] - moved[0], moved[4] - moved[0];
+  if (axes.determinant() <= 0.0)
+  {
+    refuse();
+  }
   const SimilarityTransform similarity = similarityAlignment(corners, moved);
   for (std::size_t corner = 0; corner < corners.size(); ++corner)
   {
     if ((similarity(corners[corner]) - moved[corner]).norm() > largestError)
     {
-      throw BadInput(ErrorCode::Unsupported,
-                     fileName,
-                     "it does more than to move, turn and scale all axes alike",
-                     "give a rigid transform");
+      refuse();
     }
   }
   return similarity;
