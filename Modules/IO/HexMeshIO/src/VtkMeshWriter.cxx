@@ -91,7 +91,9 @@ addArray(vtkFieldData & data, const NamedArray & named)
   array->SetName(named.name.c_str());
   array->SetNumberOfComponents(named.components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(named.values.size()) / named.components);
-  std::copy(named.values.begin(), named.values.end(), array->GetPointer(0));
+  // No negative zeros: whether VTK calls the least value 0 or -0 in the file depends on how its threads share the work.
+  std::transform(
+    named.values.begin(), named.values.end(), array->GetPointer(0), [](double value) { return value + 0.0; });
   data.AddArray(array);
 }
 
