@@ -43,9 +43,9 @@ requireUsableTemplate(const MeshCommandOptions & options)
   }
   if (options.templateMesh.empty())
   {
-    if (!options.landmarks.empty() || !options.image.empty())
+    if (!options.landmarks.empty() || !options.image.empty() || isTransformName(options.align))
     {
-      throw UsageError("--landmarks and --image need --template");
+      throw UsageError("--landmarks, --image and a transform as --align need --template");
     }
     return;
   }

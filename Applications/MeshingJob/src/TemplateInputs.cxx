@@ -114,6 +114,10 @@ tiedTo(HexMesh mesh, const MeshCommandOptions & options)
 std::vector<RunReport::File>
 templateFiles(const MeshCommandOptions & options)
 {
+  if (options.templateMesh.empty())
+  {
+    return {};
+  }
   std::vector<RunReport::File> files{ { "mesh", options.templateMesh, {} },
                                       { "transform", isAlignedByFile(options) ? options.align : "", {} },
                                       { "template_landmarks", options.templateLandmarks, {} },

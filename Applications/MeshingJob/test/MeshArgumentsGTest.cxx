@@ -136,6 +136,7 @@ TEST(MeshArguments, TemplatesComeBackAsTheyWereAndExcludeWhatTheyCannotHave)
   const MeshCommandOptions again = set(meshingArguments(options));
   EXPECT_EQ(again.templateMesh, options.templateMesh);
   EXPECT_EQ(again.align, options.align);
+  EXPECT_EQ(meshingArguments(again), meshingArguments(options));
   options.align = "to the label.tfm";
   options.landmarks = "l.csv";
   options.templateLandmarks = "tl.csv";

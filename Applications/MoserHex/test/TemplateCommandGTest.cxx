@@ -205,6 +205,7 @@ TEST_F(TemplateCommand, RefinementsThatAreHalfGivenAreRefused)
   std::ofstream(path("t.csv")) << "label,x,y,z\na,1,2,3\n";
   expectErrorCode(tied("prostate.nrrd", { "--landmarks=" + path("t.csv") }), "E_USAGE");
   expectErrorCode(tied("prostate.nrrd", { "--template-image=" + path("t.nrrd") }), "E_USAGE");
+  expectErrorCode(run({ "mesh", path("prostate.nrrd"), path("a.vtu"), "--align=" + path("move.tfm") }), "E_USAGE");
   expectErrorCode(run({ "mesh",
                         path("prostate.nrrd"),
                         path("a.vtu"),
