@@ -1,6 +1,7 @@
 #include "ImageTransfer.h"
 
 #include "CommandErrors.h"
+#include "SubjectFunction.h"
 #include "TransferFiles.h"
 #include "moserhex/CubeTransfer/CubeAxes.h"
 #include "moserhex/CubeTransfer/CubeImage.h"
@@ -10,9 +11,6 @@
 #include "moserhex/CubeTransfer/GridSamples.h"
 
 #include <algorithm>
-#include <atomic>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -23,108 +21,10 @@ namespace
 
 constexpr std::size_t mostFractions = 256;
 
-/** Boxes of the cube along each axis. \throws UsageError  not a number, or nodes */
 int
-boxesPerAxis(const TransferOptions & options, int cellsPerAxis)
+boxesOf(const TransferOptions & options, const HexMesh & mesh)
 {
-  if (options.sampling == "cells")
-  {
-    return cellsPerAxis;
-  }
-  int          number = 0;
-  const char * end = options.sampling.data() + options.sampling.size();
-  const auto   parsed = std::from_chars(options.sampling.data(), end, number);
-  if (parsed.ec != std::errc() || parsed.ptr != end || number < 1 || number > 1000)
-  {
-    throw UsageError("--sampling " + options.sampling + ": need cells, nodes, or a number from 1 to 1000");
-  }
-  return number;
-}
-
-ImageInterpolation
-interpolationOf(const TransferOptions & options)
-{
-  return options.nearest || options.labels ? ImageInterpolation::Nearest : ImageInterpolation::Linear;
-}
-
-/** A subject's image as a function of the cube. Points beyond the image are background, and counted. */
-class SubjectFunction
-{
-public:
-  SubjectFunction(const TransferImage & image, const TransferOptions & options)
-    : m_Field(image.volume, interpolationOf(options)), m_Components(image.volume.components), m_Options(options)
-  {}
-
-  [[nodiscard]] int
-  components() const
-  {
-    return m_Components;
-  }
-
-  void
-  operator()(const CubePoint & point, double * values) const
-  {
-    ++m_Asked;
-    if (!m_Field.evaluate(point.position, values))
-    {
-      ++m_Beyond;
-      std::fill_n(values, m_Components, m_Options.background);
-      return;
-    }
-    if (m_Options.rotate)
-    {
-      turn(rotationPart(point.jacobian).transpose(), m_Components, values);
-    }
-  }
-
-  /** \throws BadInput (Geometry)  no point was in the image; warns when some were not */
-  void
-  requireCover(const TransferLog & log) const
-  {
-    if (m_Beyond > 0 && m_Beyond == m_Asked)
-    {
-      throw BadInput(ErrorCode::Geometry,
-                     m_Options.input,
-                     "the image does not reach the mesh",
-                     "give the image of the same scan, both in LPS millimetres");
-    }
-    if (m_Beyond > 0)
-    {
-      char text[120];
-      std::snprintf(text,
-                    sizeof text,
-                    ": %.3g %% of the mesh lies beyond the image: background there",
-                    100.0 * static_cast<double>(m_Beyond) / static_cast<double>(m_Asked));
-      log.warn(m_Options.input + text);
-    }
-  }
-
-private:
-  FieldFunction                    m_Field;
-  int                              m_Components;
-  const TransferOptions &          m_Options;
-  mutable std::atomic<std::size_t> m_Asked{ 0 };
-  mutable std::atomic<std::size_t> m_Beyond{ 0 };
-};
-
-/** Two Gauss points for each voxel along the edge of a box of mean volume. */
-CubeMeanOptions
-meanOptions(const TransferOptions & options, const HexMesh & mesh, const VoxelGrid & image)
-{
-  constexpr double          fewest = 4.0;
-  constexpr double          most = 48.0;
-  const std::vector<double> volumes = cellVolumes(mesh);
-  const double              volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  CubeMeanOptions           result;
-  result.samplesPerAxis = boxesPerAxis(options, mesh.nodesPerSide - 1);
-  result.threads = options.threads;
-  const double parts = std::max(result.samplesPerAxis, mesh.nodesPerSide - 1);
-  const double edge = std::cbrt(volume) / parts;
-  result.pointsPerAxis =
-    options.pointsPerAxis > 0
-      ? options.pointsPerAxis
-      : static_cast<int>(std::clamp(std::ceil(2.0 * edge / image.spacing.minCoeff()), fewest, most));
-  return result;
+  return boxesPerAxis("--sampling", options.sampling, mesh.nodesPerSide - 1);
 }
 
 /** Mean times volume. */
@@ -213,7 +113,7 @@ imageOfCube(const HexMesh &         mesh,
   {
     return cubeNodeSamples(mesh, std::cref(f), f.components(), options.threads);
   }
-  const CubeMeanOptions means = meanOptions(options, mesh, image.volume);
+  const CubeMeanOptions means = meanOptions(options, boxesOf(options, mesh), mesh, image.volume);
   if (options.labels)
   {
     const FieldVolume fractions = labelFractions(mesh, f, image, means).image;
@@ -251,7 +151,7 @@ toCube(const TransferOptions & options, const TransferLog & log)
   }
   const TransferImage   image = readTransferImage(options, log);
   const HexMesh         mesh = readTransferMesh(options.mesh, options);
-  const SubjectFunction f(image, options);
+  const SubjectFunction f(image.volume, options);
   const FieldVolume     result = imageOfCube(mesh, image, f, options, log);
   f.requireCover(log);
   write(options.toCube, result, options, log);
@@ -361,11 +261,11 @@ subjectToSubject(const TransferOptions & options, const TransferLog & log)
   const HexMesh         from = readTransferMesh(options.mesh, options);
   const HexMesh         to = readTransferMesh(options.toMesh, options);
   const VoxelGrid       grid = readTargetGrid(options, to);
-  const SubjectFunction subject(image, options);
+  const SubjectFunction subject(image.volume, options);
   if (options.conserve)
   {
-    const CubeMeans means =
-      cubeMeans(from, std::cref(subject), subject.components(), meanOptions(options, from, image.volume));
+    const CubeMeans means = cubeMeans(
+      from, std::cref(subject), subject.components(), meanOptions(options, boxesOf(options, from), from, image.volume));
     subject.requireCover(log);
     writeMasses(to, massesOf(means.image, means.volumes), grid, options, log);
     return;
