@@ -12,26 +12,6 @@ namespace moserhex
 namespace
 {
 
-/** Vertices are the mesh's nodes on its boundary. */
-TriangleMesh
-boundaryTriangles(const HexMesh & mesh)
-{
-  TriangleMesh             surface;
-  std::vector<VertexIndex> vertexOfNode(mesh.nodes.size(), -1);
-  for (const std::size_t node : boundaryNodes(mesh))
-  {
-    vertexOfNode[node] = static_cast<VertexIndex>(surface.vertices.size());
-    surface.vertices.push_back(mesh.nodes[node]);
-  }
-  for (const Quadrilateral & quad : boundaryFaces(unstructured(mesh)))
-  {
-    const auto vertex = [&](std::size_t corner) { return vertexOfNode[quad[corner]]; };
-    surface.triangles.push_back({ vertex(0), vertex(1), vertex(2) });
-    surface.triangles.push_back({ vertex(0), vertex(2), vertex(3) });
-  }
-  return surface;
-}
-
 struct Boundary
 {
   TriangleMesh       surface;
@@ -60,6 +40,25 @@ struct Boundary
 };
 
 } // namespace
+
+TriangleMesh
+boundaryTriangles(const HexMesh & mesh)
+{
+  TriangleMesh             surface;
+  std::vector<VertexIndex> vertexOfNode(mesh.nodes.size(), -1);
+  for (const std::size_t node : boundaryNodes(mesh))
+  {
+    vertexOfNode[node] = static_cast<VertexIndex>(surface.vertices.size());
+    surface.vertices.push_back(mesh.nodes[node]);
+  }
+  for (const Quadrilateral & quad : boundaryFaces(unstructured(mesh)))
+  {
+    const auto vertex = [&](std::size_t corner) { return vertexOfNode[quad[corner]]; };
+    surface.triangles.push_back({ vertex(0), vertex(1), vertex(2) });
+    surface.triangles.push_back({ vertex(0), vertex(2), vertex(3) });
+  }
+  return surface;
+}
 
 SignedDistance
 boundaryDistance(const HexMesh & mesh)

@@ -1,10 +1,15 @@
 #pragma once
 
 #include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/Geometry/TriangleMesh.h"
 #include "moserhex/HexMap/SignedDistance.h"
 
 namespace moserhex
 {
+
+/** The boundary of a mesh, each quadrilateral as two triangles; vertices are the mesh's nodes on its boundary. */
+[[nodiscard]] TriangleMesh
+boundaryTriangles(const HexMesh & mesh);
 
 /** Signed distance to the boundary of a mesh, each quadrilateral as two triangles; the sign, and the gradient, are
  * those of the vertex normals, interpolated at the nearest point. Shares what it needs of the mesh.

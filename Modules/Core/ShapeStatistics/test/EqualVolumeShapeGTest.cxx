@@ -1,5 +1,5 @@
 // Equal volumes to 1e-9 (variance 1e-18), as the header promises.
-#include "moserhex/ShapeStatistics/MeanMesh.h"
+#include "moserhex/ShapeStatistics/EqualVolumeShape.h"
 
 #include "BoundaryDistance.h"
 #include "TestShapes.h"
@@ -12,6 +12,13 @@
 using namespace moserhex;
 using namespace moserhex::testing;
 
+namespace
+{
+
+const EqualVolumeOptions oneThread{ EqualVolumeWay::Free, 1 };
+
+} // namespace
+
 TEST(BoundaryDistance, OfACubeIsTheDistanceToItsFaces)
 {
   const SignedDistance phi = boundaryDistance(analytic::cubeLattice(4, 2.0)); // [0,6]^3
@@ -22,10 +29,10 @@ TEST(BoundaryDistance, OfACubeIsTheDistanceToItsFaces)
   EXPECT_NEAR(phi(Vector3(6.0, 2.0, 3.0), gradient), 0.0, 1e-12);
 }
 
-TEST(MeanMesh, BecomesAnEqualVolumeMeshOfItsOwnOutline)
+TEST(EqualVolumeShape, BecomesAnEqualVolumeMeshOfItsOwnOutline)
 {
-  const HexMesh        mean = softCube(8);
-  const MeanMeshResult result = equalVolumeMean(mean, 1);
+  const HexMesh          mean = softCube(8);
+  const EqualVolumeShape result = equalVolumeShape(mean, oneThread);
   EXPECT_TRUE(result.exact);
   EXPECT_TRUE(result.shortcomings.empty());
   EXPECT_GT(result.varianceBefore, 1e-4);
@@ -37,32 +44,32 @@ TEST(MeanMesh, BecomesAnEqualVolumeMeshOfItsOwnOutline)
   EXPECT_LT(result.largestMove, 6.0); // an edge of a cell
 }
 
-TEST(MeanMesh, AnEqualVolumeMeshStaysWhereItIs)
+TEST(EqualVolumeShape, AnEqualVolumeMeshStaysWhereItIs)
 {
-  const MeanMeshResult result = equalVolumeMean(analytic::cubeLattice(5, 2.0), 1);
+  const EqualVolumeShape result = equalVolumeShape(analytic::cubeLattice(5, 2.0), oneThread);
   EXPECT_TRUE(result.exact);
-  EXPECT_FALSE(result.reworked);
+  EXPECT_EQ(result.way, EqualVolumeWay::Projection);
   EXPECT_EQ(result.largestMove, 0.0);
 }
 
-TEST(MeanMesh, CellsTurnedOverAreReworked)
+TEST(EqualVolumeShape, CellsTurnedOverAreReworked)
 {
   HexMesh mean = softCube(6);
   std::swap(mean.nodes[mean.nodeNumber(1, 2, 2)], mean.nodes[mean.nodeNumber(4, 3, 3)]);
-  const MeanMeshResult result = equalVolumeMean(mean, 1);
+  const EqualVolumeShape result = equalVolumeShape(mean, oneThread);
   EXPECT_TRUE(result.exact) << (result.exact ? "" : result.shortcomings.front());
-  EXPECT_TRUE(result.reworked);
+  EXPECT_NE(result.way, EqualVolumeWay::Projection);
 }
 
-TEST(MeanMesh, TheSameForAnyNumberOfThreads)
+TEST(EqualVolumeShape, TheSameForAnyNumberOfThreads)
 {
-  const MeanMeshResult one = equalVolumeMean(softCube(6), 1);
-  const MeanMeshResult three = equalVolumeMean(softCube(6), 3);
+  const EqualVolumeShape one = equalVolumeShape(softCube(6), oneThread);
+  const EqualVolumeShape three = equalVolumeShape(softCube(6), { EqualVolumeWay::Free, 3 });
   EXPECT_TRUE(std::equal(one.mesh.nodes.begin(), one.mesh.nodes.end(), three.mesh.nodes.begin()));
 }
 
-TEST(MeanMesh, TooCoarseAMeshIsRefused)
+TEST(EqualVolumeShape, TooCoarseAMeshIsRefused)
 {
-  EXPECT_EQ(analytic::messageOf([] { (void)equalVolumeMean(analytic::cubeLattice(2)); }),
-            "mean mesh: 2 nodes a side, need at least 3");
+  EXPECT_EQ(analytic::messageOf([] { (void)equalVolumeShape(analytic::cubeLattice(2)); }),
+            "equal volumes: 2 nodes a side, need at least 3");
 }
