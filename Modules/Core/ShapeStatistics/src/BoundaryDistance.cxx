@@ -2,6 +2,7 @@
 
 #include "moserhex/Geometry/ClosestPoint.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
+#include "moserhex/Geometry/Pseudonormals.h"
 #include "moserhex/Geometry/UnstructuredHexMesh.h"
 
 #include <cmath>
@@ -17,9 +18,10 @@ struct Boundary
   TriangleMesh       surface;
   Positions          normals;
   ClosestPointSearch search;
+  Pseudonormals      sides;
 
   explicit Boundary(TriangleMesh triangles)
-    : surface(std::move(triangles)), normals(vertexNormals(surface)), search(surface)
+    : surface(std::move(triangles)), normals(vertexNormals(surface)), search(surface), sides(surface)
   {}
 
   double
@@ -35,7 +37,7 @@ struct Boundary
     }
     gradient.normalize();
     const double length = std::sqrt(closest.squaredDistance);
-    return (point - closest.point).dot(gradient) < 0.0 ? -length : length;
+    return (point - closest.point).dot(sides.at(closest)) < 0.0 ? -length : length;
   }
 };
 

@@ -11,8 +11,9 @@ namespace moserhex
 [[nodiscard]] TriangleMesh
 boundaryTriangles(const HexMesh & mesh);
 
-/** Signed distance to the boundary of a mesh, each quadrilateral as two triangles; the sign, and the gradient, are
- * those of the vertex normals, interpolated at the nearest point. Shares what it needs of the mesh.
+/** Signed distance to the boundary of a mesh, each quadrilateral as two triangles. The sign is right everywhere
+ * (Pseudonormals) where the boundary does not cut itself; the gradient is the vertex normals', interpolated at the
+ * nearest point. Shares what it needs of the mesh.
  * \throws InvalidInput  as requireValid(mesh) */
 [[nodiscard]] SignedDistance
 boundaryDistance(const HexMesh & mesh);

@@ -19,7 +19,7 @@ namespace
 /** Volumes with a smaller variance are equal: 1e-9 relative, as equaliseVolumes promises. */
 constexpr double equalVariance = 1e-18;
 /** Of the mesh given, from one that hardly lets it bend to one that hardly holds it [1]. */
-constexpr std::array<double, 3> referenceWeights{ { 2.0, 0.5, 0.1 } };
+constexpr std::array<double, 2> referenceWeights{ { 2.0, 0.5 } };
 
 /** One run: what a way leaves for those after it. */
 class Run
@@ -70,6 +70,7 @@ private:
     EqualisationOptions options;
     options.threads = m_Options.threads;
     options.reference = m_Shape.nodes;
+    options.hopelessCells = tangledCells(m_Shape.nodesPerSide);
     for (std::size_t w = 0; w < referenceWeights.size() && !m_Result.exact; ++w)
     {
       options.referenceWeight = referenceWeights[w];
@@ -93,7 +94,9 @@ private:
     m_Result.volume = equality.total;
     m_Result.varianceAfter = equality.variance;
     m_Result.certified = certifyCells(m_Result.mesh, {}, m_Options.threads);
-    m_Result.exact = equality.variance <= equalVariance && m_Result.certified.positive == m_Result.mesh.cellCount();
+    m_Result.boundaryDistance = boundaryDistanceOf(m_Result.mesh);
+    m_Result.exact = equality.variance <= equalVariance && m_Result.certified.positive == m_Result.mesh.cellCount() &&
+                     m_Result.boundaryDistance <= EqualisationOptions{}.surfaceTolerance;
   }
 
   void
@@ -107,12 +110,18 @@ private:
       m_Result.largestMove = std::max(m_Result.largestMove, move);
     }
     m_Result.meanMove = sum / static_cast<double>(m_Shape.nodes.size());
+  }
+
+  [[nodiscard]] double
+  boundaryDistanceOf(const HexMesh & mesh) const
+  {
+    double  largest = 0.0;
     Vector3 gradient;
-    for (const std::size_t node : boundaryNodes(m_Result.mesh))
+    for (const std::size_t node : boundaryNodes(mesh))
     {
-      m_Result.boundaryDistance =
-        std::max(m_Result.boundaryDistance, std::abs(m_Phi(m_Result.mesh.nodes[node], gradient)));
+      largest = std::max(largest, std::abs(m_Phi(mesh.nodes[node], gradient)));
     }
+    return largest;
   }
 
   void
@@ -128,6 +137,13 @@ private:
     if (doubtful > 0)
     {
       m_Result.shortcomings.push_back(std::to_string(doubtful) + " cells are not certified");
+    }
+    if (m_Result.boundaryDistance > EqualisationOptions{}.surfaceTolerance)
+    {
+      std::ostringstream text;
+      text << "the boundary is " << m_Result.boundaryDistance << " mm off, need "
+           << EqualisationOptions{}.surfaceTolerance;
+      m_Result.shortcomings.push_back(text.str());
     }
   }
 

@@ -4,6 +4,7 @@
 #include "BoundaryDistance.h"
 #include "TestShapes.h"
 #include "moserhex/Analytic/Refusals.h"
+#include "moserhex/Geometry/SelfIntersection.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,21 @@ TEST(BoundaryDistance, OfACubeIsTheDistanceToItsFaces)
   EXPECT_NEAR(phi(Vector3(3.1, 3.2, 7.5), gradient), 1.5, 1e-12);
   EXPECT_LT((gradient - Vector3(0, 0, 1)).norm(), 0.5);
   EXPECT_NEAR(phi(Vector3(6.0, 2.0, 3.0), gradient), 0.0, 1e-12);
+}
+
+TEST(BoundaryDistance, TheSideIsRightAroundAThinSpike)
+{
+  HexMesh mesh = analytic::cubeLattice(4, 2.0);
+  mesh.nodes[mesh.nodeNumber(3, 3, 3)] = Vector3(40.0, 9.0, 7.0);
+  const TriangleMesh   boundary = boundaryTriangles(mesh);
+  const SignedDistance phi = boundaryDistance(mesh);
+  Random               random(71);
+  Vector3              gradient;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vector3 p(random.uniform(-20.0, 60.0), random.uniform(-20.0, 30.0), random.uniform(-20.0, 30.0));
+    EXPECT_EQ(phi(p, gradient) < 0.0, windingNumber(boundary, p) > 0.5) << p.transpose();
+  }
 }
 
 TEST(EqualVolumeShape, BecomesAnEqualVolumeMeshOfItsOwnOutline)

@@ -26,24 +26,24 @@ struct EqualVolumeOptions
 
 struct EqualVolumeShape
 {
-  HexMesh                  mesh;                  ///< of equal volumes when `exact`
-  double                   volume{ 0.0 };         ///< of it [mm^3]
-  double                   varianceBefore{ 0.0 }; ///< population variance of volume / mean volume of the mesh given [1]
-  double                   varianceAfter{ 0.0 };  ///< of the mesh returned [1]
-  CertificateCounts        certified;             ///< cells of the mesh returned
-  double                   meanMove{ 0.0 };       ///< of the nodes, from the mesh given [mm]
-  double                   largestMove{ 0.0 };    ///< [mm]
-  double                   boundaryDistance{ 0.0 }; ///< largest of its boundary nodes to the boundary given [mm]
-  EqualVolumeWay           way{ EqualVolumeWay::Projection };
-  bool                     exact{ false }; ///< all volumes equal, every cell certified
-  std::vector<std::string> shortcomings;   ///< what of that was not reached; empty when exact
+  HexMesh           mesh;                    ///< of equal volumes when `exact`
+  double            volume{ 0.0 };           ///< of it [mm^3]
+  double            varianceBefore{ 0.0 };   ///< population variance of volume / mean volume of the mesh given [1]
+  double            varianceAfter{ 0.0 };    ///< of the mesh returned [1]
+  CertificateCounts certified;               ///< cells of the mesh returned
+  double            meanMove{ 0.0 };         ///< of the nodes, from the mesh given [mm]
+  double            largestMove{ 0.0 };      ///< [mm]
+  double            boundaryDistance{ 0.0 }; ///< largest of its boundary nodes to the boundary given [mm]
+  EqualVolumeWay    way{ EqualVolumeWay::Projection };
+  bool exact{ false }; ///< all volumes equal, every cell certified, boundary nodes within 0.5 mm of the boundary given
+  std::vector<std::string> shortcomings; ///< what of that was not reached; empty when exact
 };
 
 /** Turns a mesh whose cells are not of equal volume (a mean of equal-volume meshes, or one displaced along a mode:
  * volume is cubic in the nodes) into an equal-volume mesh of its own outline, of the volume that its boundary encloses.
  *
  * First by projectOntoEqualMeasure alone, which moves the nodes least: boundary nodes stay on the surface to first
- * order. Where that leaves cells that are not certified (certifyCells), by equaliseVolumes with the mesh's own boundary
+ * order. Where that is not exact, by equaliseVolumes with the mesh's own boundary
  * as the organ's surface, held to the mesh given (EqualisationOptions::reference) ever less; in the end without. A mesh
  * with padding is not held.
  *
