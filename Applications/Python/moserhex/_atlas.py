@@ -66,12 +66,14 @@ class ShapeModel:
 class PermutationTest:
     """One entry for each of L places.
 
-    slope                    (L, q) group 1 less group 0, or change per unit of the covariate [unit of the values]
-    statistic                (L,) Hotelling's T^2; of one component t^2 [1]
+    slope                    (L, q) group 1 less group 0, or change per unit of the covariate [unit of the values];
+                             (L, h, q) where the effect has h columns
+    pillai_trace             (L,) in [0, min(q, h)] [1]
+    statistic                (L,) of one column Hotelling's T^2, of one component, too, t^2 [1]
     p                        (L,) of the place alone
     p_family_wise            (L,) corrected for the search over all places
     q_false_discovery        (L,) smallest false discovery rate at which the place counts
-    partial_correlation      (L,) in [0, 1)
+    partial_correlation      (L,) in [0, 1]; its square is the partial eta squared
     standardised_difference  (L,) of two groups Cohen's d, of vectors Mahalanobis' D; else None
     permutations             made, the subjects' own order among them
     is_exact                 they are all that there are
@@ -79,6 +81,7 @@ class PermutationTest:
     """
 
     slope: numpy.ndarray
+    pillai_trace: numpy.ndarray
     statistic: numpy.ndarray
     p: numpy.ndarray
     p_family_wise: numpy.ndarray
@@ -141,6 +144,17 @@ def fit_shapes(
     return ShapeModel(*_moserhex.fit_shapes(_points_of(shapes), modes or 0, variance, threads))
 
 
+def group_columns(groups: Array) -> Array:
+    """The effect of k groups for `permutation_test`, (S, k - 1): column g is 1 for the subjects of group g + 1, else 0.
+
+    groups  (S,) words or numbers; group 0 is the first of them in order
+
+    Raises Error: E_PRECONDITION, E_DIMENSION.
+    """
+    names, numbers = numpy.unique(groups, return_inverse=True)
+    return _moserhex.group_columns(numbers.reshape(numpy.shape(groups)), len(names))
+
+
 def permutation_test(
     values: Shapes,
     effect: Array,
@@ -153,7 +167,7 @@ def permutation_test(
     """Does an effect explain the subjects' numbers, at every place, beyond a constant and nuisance covariates?
 
     values        (S, L): one number a place; or (S, L, q), q up to 3, such as aligned shapes; or meshes
-    effect        (S,): 0 and 1 for two groups, or a covariate
+    effect        (S,): 0 and 1 for two groups, or a covariate; (S, h): columns tested together, as of `group_columns`
     nuisance      (S, Z): what else explains the numbers, for example age and volume
     permutations  by Freedman and Lane; all there are, when these are not more
     seed          the same numbers give the same result
@@ -164,11 +178,15 @@ def permutation_test(
     components = table.shape[2] if table.ndim == 3 else 1
     if table.ndim == 3:
         table = table.reshape(table.shape[0], -1)
+    columns = numpy.asarray(effect)
+    if columns.ndim == 1:
+        columns = columns[:, None]
     if nuisance is None:
-        nuisance = numpy.zeros((numpy.shape(effect)[0] if numpy.ndim(effect) else 0, 0))
-    return PermutationTest(
-        **_moserhex.permutation_test(table, components, effect, nuisance, permutations, seed, threads)
-    )
+        nuisance = numpy.zeros((columns.shape[0] if columns.ndim else 0, 0))
+    result = _moserhex.permutation_test(table, components, columns, nuisance, permutations, seed, threads)
+    if numpy.ndim(effect) == 2:
+        result["slope"] = result["slope"].reshape(-1, columns.shape[1], components)
+    return PermutationTest(**result)
 
 
 def _points_of(shapes: Shapes) -> Array:

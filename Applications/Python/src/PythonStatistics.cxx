@@ -5,8 +5,8 @@
 #include "PythonMesh.h"
 #include "ScaledJacobians.h"
 #include "Unlocked.h"
-#include "moserhex/ShapeStatistics/MeanMesh.h"
-#include "moserhex/ShapeStatistics/PermutationTest.h"
+#include "moserhex/ShapeStatistics/EqualVolumeShape.h"
+#include "moserhex/ShapeStatistics/GroupDesign.h"
 #include "moserhex/ShapeStatistics/Procrustes.h"
 #include "moserhex/ShapeStatistics/ShapeModel.h"
 
@@ -185,7 +185,10 @@ exactMean(const py::object &  points,
   }
   return unlocked(
     [&](Watch & watch) {
-      MeanMeshResult result = equalVolumeMean(mean, count, [&watch](double fraction) { return watch.goOn(fraction); });
+      EqualVolumeOptions options;
+      options.threads = count;
+      EqualVolumeShape result =
+        equalVolumeShape(mean, options, [&watch](double fraction) { return watch.goOn(fraction); });
       if (!watch.goOn(1.0))
       {
         throw Cancelled();
@@ -248,7 +251,19 @@ reconstructShape(const py::object & mean, const py::object & modes, const py::ob
   return arrayOf(pointsOf(reconstruct(modelFrom(mean, modes), vectorFrom("scores", scores))), Space::LPS);
 }
 
-/** \param values  S x (L q) */
+/** \param groups  of each subject, 0 to count - 1 */
+py::array
+columnsOfGroups(const py::object & groups, std::size_t count)
+{
+  const Eigen::VectorXd    numbers = vectorFrom("groups", groups);
+  std::vector<std::size_t> groupOf(static_cast<std::size_t>(numbers.size()));
+  std::transform(numbers.data(), numbers.data() + numbers.size(), groupOf.begin(), [](double number) {
+    return static_cast<std::size_t>(number);
+  });
+  return arrayOf(Matrix(groupColumns(groupOf, count)));
+}
+
+/** \param values  S x (L q) \param effect  S x h */
 py::dict
 testByPermutation(const py::object & values,
                   long long          componentsPerPlace,
@@ -263,7 +278,7 @@ testByPermutation(const py::object & values,
     throw InvalidInput(ErrorCode::Usage, "permutations: " + std::to_string(permutations) + ", need at least 1");
   }
   Matrix             table = matrixFrom("values", values);
-  const LinearDesign design{ vectorFrom("effect", effect), matrixFrom("nuisance", nuisance) };
+  const LinearDesign design{ matrixFrom("effect", effect), matrixFrom("nuisance", nuisance) };
   PermutationOptions options;
   options.permutations = static_cast<std::size_t>(permutations);
   options.seed = seed;
@@ -273,6 +288,7 @@ testByPermutation(const py::object & values,
     unlocked([&](Watch & watch) { return permutationTest(WatchedTable(std::move(table), watch), design, options); });
   py::dict answer;
   answer["slope"] = arrayOf(Matrix(result.slope.transpose()));
+  answer["pillai_trace"] = vectorArray(result.pillaiTrace);
   answer["statistic"] = vectorArray(result.statistic);
   answer["p"] = vectorArray(result.p);
   answer["p_family_wise"] = vectorArray(result.pFamilyWise);
@@ -296,6 +312,7 @@ addShapeStatistics(py::module_ & module)
   module.def("fit_shapes", &fitShapes);
   module.def("scores_of", &scoresOfShape);
   module.def("reconstruct", &reconstructShape);
+  module.def("group_columns", &columnsOfGroups);
   module.def("permutation_test", &testByPermutation);
 }
 

@@ -163,6 +163,23 @@ class Test(unittest.TestCase):
         )
         self.assertTrue(numpy.array_equal(test.p, again.p))
 
+    def test_three_groups_are_tested_together(self):
+        groups = [0, 1, 2] * 4
+        columns = moserhex.group_columns(groups)
+        self.assertTrue(numpy.array_equal(columns, [[g == 1, g == 2] for g in groups]))
+        test = moserhex.permutation_test(self.values, columns, permutations=100)
+        means = numpy.stack([self.values[g::3].mean(axis=0) for g in range(3)])
+        self.assertEqual(test.slope.shape, (50, 2, 1))
+        self.assertLess(numpy.abs(test.slope[:, :, 0] - (means[1:] - means[0]).T).max(), 1e-9)
+        between = (4 * (means - self.values.mean(axis=0)) ** 2).sum(axis=0)
+        total = ((self.values - self.values.mean(axis=0)) ** 2).sum(axis=0)
+        self.assertLess(numpy.abs(test.pillai_trace - between / total).max(), 1e-9)
+        self.assertIsNone(test.standardised_difference)
+        words = moserhex.group_columns(["c", "a", "b"])
+        self.assertTrue(numpy.array_equal(words, [[0, 1], [0, 0], [1, 0]]))
+        expect(self, "E_PRECONDITION", moserhex.group_columns, [0, 0])
+        expect(self, "E_DIMENSION", moserhex.group_columns, [[0, 1]])
+
     def test_refusals(self):
         expect(self, "E_PRECONDITION", moserhex.permutation_test, self.values, self.groups[:5])
         expect(self, "E_PRECONDITION", moserhex.permutation_test, self.values, numpy.zeros(12))

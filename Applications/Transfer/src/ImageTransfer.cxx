@@ -12,8 +12,6 @@
 #include "moserhex/CubeTransfer/GridSamples.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -24,40 +22,9 @@ namespace
 
 /** Boxes of the cube along each axis. \throws UsageError  not a number, or nodes */
 int
-boxesPerAxis(const TransferOptions & options, int cellsPerAxis)
+boxesOf(const TransferOptions & options, const HexMesh & mesh)
 {
-  if (options.sampling == "cells")
-  {
-    return cellsPerAxis;
-  }
-  int          number = 0;
-  const char * end = options.sampling.data() + options.sampling.size();
-  const auto   parsed = std::from_chars(options.sampling.data(), end, number);
-  if (parsed.ec != std::errc() || parsed.ptr != end || number < 1 || number > 1000)
-  {
-    throw UsageError("--sampling " + options.sampling + ": need cells, nodes, or a number from 1 to 1000");
-  }
-  return number;
-}
-
-/** Two Gauss points for each voxel along the edge of a box of mean volume. */
-CubeMeanOptions
-meanOptions(const TransferOptions & options, const HexMesh & mesh, const VoxelGrid & image)
-{
-  constexpr double          fewest = 4.0;
-  constexpr double          most = 48.0;
-  const std::vector<double> volumes = cellVolumes(mesh);
-  const double              volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  CubeMeanOptions           result;
-  result.samplesPerAxis = boxesPerAxis(options, mesh.nodesPerSide - 1);
-  result.threads = options.threads;
-  const double parts = std::max(result.samplesPerAxis, mesh.nodesPerSide - 1);
-  const double edge = std::cbrt(volume) / parts;
-  result.pointsPerAxis =
-    options.pointsPerAxis > 0
-      ? options.pointsPerAxis
-      : static_cast<int>(std::clamp(std::ceil(2.0 * edge / image.spacing.minCoeff()), fewest, most));
-  return result;
+  return boxesPerAxis("--sampling", options.sampling, mesh.nodesPerSide - 1);
 }
 
 /** Mean times volume. */
@@ -111,7 +78,7 @@ imageOfCube(const HexMesh &         mesh,
   {
     return cubeNodeSamples(mesh, std::cref(f), f.components(), options.threads);
   }
-  const CubeMeanOptions means = meanOptions(options, mesh, image.volume);
+  const CubeMeanOptions means = meanOptions(options, boxesOf(options, mesh), mesh, image.volume);
   if (options.labels)
   {
     const FieldVolume fractions = labelFractions(mesh, f, image, means).image;
@@ -149,7 +116,7 @@ toCube(const TransferOptions & options, const TransferLog & log)
   }
   const TransferImage   image = readTransferImage(options, log);
   const HexMesh         mesh = readTransferMesh(options.mesh, options);
-  const SubjectFunction f(image, options);
+  const SubjectFunction f(image.volume, image.hasValue, options);
   const FieldVolume     result = imageOfCube(mesh, image, f, options, log);
   f.requireCover(log);
   write(options.toCube, result, options, log);
@@ -262,11 +229,11 @@ subjectToSubject(const TransferOptions & options, const TransferLog & log)
   const HexMesh         from = readTransferMesh(options.mesh, options);
   const HexMesh         to = readTransferMesh(options.toMesh, options);
   const VoxelGrid       grid = readTargetGrid(options, to);
-  const SubjectFunction subject(image, options);
+  const SubjectFunction subject(image.volume, image.hasValue, options);
   if (options.conserve)
   {
-    const CubeMeans means =
-      cubeMeans(from, std::cref(subject), subject.components(), meanOptions(options, from, image.volume));
+    const CubeMeans means = cubeMeans(
+      from, std::cref(subject), subject.components(), meanOptions(options, boxesOf(options, from), from, image.volume));
     subject.requireCover(log);
     writeMasses(to, massesOf(means.image, means.volumes), grid, options, log);
     return;

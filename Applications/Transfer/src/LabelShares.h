@@ -1,6 +1,7 @@
 #pragma once
 
 #include "SubjectFunction.h"
+#include "TransferFiles.h"
 #include "moserhex/CubeTransfer/CubeSamples.h"
 
 #include <vector>

@@ -1,12 +1,33 @@
 #include "SubjectFunction.h"
 
+#include "CommandErrors.h"
 #include "moserhex/CubeTransfer/CubeAxes.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace moserhex::app
 {
+
+int
+boxesPerAxis(const std::string & option, const std::string & sampling, int cellsPerAxis)
+{
+  if (sampling == "cells")
+  {
+    return cellsPerAxis;
+  }
+  int          number = 0;
+  const char * end = sampling.data() + sampling.size();
+  const auto   parsed = std::from_chars(sampling.data(), end, number);
+  if (parsed.ec != std::errc() || parsed.ptr != end || number < 1 || number > 1000)
+  {
+    throw UsageError(option + " " + sampling + ": need cells, nodes, or a number from 1 to 1000");
+  }
+  return number;
+}
 
 ImageInterpolation
 interpolationOf(const TransferOptions & options)
@@ -14,10 +35,30 @@ interpolationOf(const TransferOptions & options)
   return options.nearest || options.labels ? ImageInterpolation::Nearest : ImageInterpolation::Linear;
 }
 
-SubjectFunction::SubjectFunction(const TransferImage & image, const TransferOptions & options)
-  : m_Field(image.volume, image.hasValue, interpolationOf(options))
-  , m_Components(image.volume.components)
-  , m_IsMasked(!image.hasValue.empty())
+CubeMeanOptions
+meanOptions(const TransferOptions & options, int boxes, const HexMesh & mesh, const VoxelGrid & image)
+{
+  constexpr double          fewest = 4.0;
+  constexpr double          most = 48.0;
+  const std::vector<double> volumes = cellVolumes(mesh);
+  const double              volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  CubeMeanOptions           result;
+  result.samplesPerAxis = boxes;
+  result.threads = options.threads;
+  const double edge = std::cbrt(volume) / std::max(boxes, mesh.nodesPerSide - 1);
+  result.pointsPerAxis =
+    options.pointsPerAxis > 0
+      ? options.pointsPerAxis
+      : static_cast<int>(std::clamp(std::ceil(2.0 * edge / image.spacing.minCoeff()), fewest, most));
+  return result;
+}
+
+SubjectFunction::SubjectFunction(const FieldVolume &                image,
+                                 const std::vector<unsigned char> & hasValue,
+                                 const TransferOptions &            options)
+  : m_Field(image, hasValue, interpolationOf(options))
+  , m_Components(image.components)
+  , m_IsMasked(!hasValue.empty())
   , m_Options(options)
 {}
 
@@ -37,6 +78,12 @@ SubjectFunction::operator()(const CubePoint & point, double * values) const
   }
 }
 
+double
+SubjectFunction::partBeyond() const
+{
+  return static_cast<double>(m_Beyond) / std::max(1.0, static_cast<double>(m_Asked));
+}
+
 void
 SubjectFunction::requireCover(const TransferLog & log) const
 {
@@ -53,7 +100,7 @@ SubjectFunction::requireCover(const TransferLog & log) const
     std::snprintf(text,
                   sizeof text,
                   ": %.3g %% of the mesh lies beyond the image%s: background there",
-                  100.0 * static_cast<double>(m_Beyond) / static_cast<double>(m_Asked),
+                  100.0 * partBeyond(),
                   m_IsMasked ? " or its mask" : "");
     log.warn(m_Options.input + text);
   }

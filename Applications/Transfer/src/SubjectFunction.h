@@ -1,24 +1,41 @@
 #pragma once
 
-#include "TransferFiles.h"
-#include "moserhex/CubeTransfer/CubePoint.h"
+#include "TransferLog.h"
+#include "TransferOptions.h"
+#include "moserhex/CubeTransfer/CubeSamples.h"
 #include "moserhex/CubeTransfer/FieldFunction.h"
 
 #include <atomic>
+#include <string>
+#include <vector>
 
 namespace moserhex::app
 {
 
-/** The nearest voxel's value for labels and where it is asked for. */
+/** Boxes of the cube along each axis. \param option  that says so, for the message \param sampling  "cells" or a number
+ * \throws UsageError  neither of them, or not in 1 to 1000 */
+[[nodiscard]] int
+boxesPerAxis(const std::string & option, const std::string & sampling, int cellsPerAxis);
+
+/** Between voxels: nearest for labels and where the options say so, else linear. */
 [[nodiscard]] ImageInterpolation
 interpolationOf(const TransferOptions & options);
 
+/** Two Gauss points for each voxel along the edge of a box of mean volume, unless the options say how many.
+ * \param boxes  of the cube along each axis */
+[[nodiscard]] CubeMeanOptions
+meanOptions(const TransferOptions & options, int boxes, const HexMesh & mesh, const VoxelGrid & image);
+
 /** A subject's image as a function of the cube. Points beyond the image or its mask are background, and counted. Keeps
- * references: image and options must outlive the object. Thread-safe. */
+ * references: the arguments must outlive the object. Thread-safe. */
 class SubjectFunction
 {
 public:
-  SubjectFunction(const TransferImage & image, const TransferOptions & options);
+  /** \param hasValue  as in FieldImage; \throws InvalidInput  as requireValid(image) */
+  SubjectFunction(const FieldVolume &                image,
+                  const std::vector<unsigned char> & hasValue,
+                  const TransferOptions &            options);
+  SubjectFunction(FieldVolume &&, const std::vector<unsigned char> &, const TransferOptions &) = delete;
 
   [[nodiscard]] int
   components() const
@@ -28,6 +45,10 @@ public:
 
   void
   operator()(const CubePoint & point, double * values) const;
+
+  /** Of the points asked for, those beyond the image: part in [0,1], 0 before any. */
+  [[nodiscard]] double
+  partBeyond() const;
 
   /** \throws BadInput (Geometry)  no point was in the image; warns when some were not */
   void

@@ -139,6 +139,10 @@ makeGrid(const HexMeshContent & content)
   {
     addArray(*grid->GetCellData(), array);
   }
+  for (const NamedArray & array : fields.meshArrays)
+  {
+    addArray(*grid->GetFieldData(), array);
+  }
   return grid;
 }
 
@@ -147,8 +151,9 @@ void
 clearArrayInformation(vtkUnstructuredGrid & grid)
 {
   grid.GetPoints()->GetData()->GetInformation()->Clear();
-  for (vtkFieldData * data :
-       { static_cast<vtkFieldData *>(grid.GetPointData()), static_cast<vtkFieldData *>(grid.GetCellData()) })
+  for (vtkFieldData * data : { static_cast<vtkFieldData *>(grid.GetPointData()),
+                               static_cast<vtkFieldData *>(grid.GetCellData()),
+                               grid.GetFieldData() })
   {
     for (int array = 0; array < data->GetNumberOfArrays(); ++array)
     {
