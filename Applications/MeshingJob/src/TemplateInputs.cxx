@@ -4,7 +4,6 @@
 #include "CorrespondingLandmarks.h"
 #include "itkDensityConversion.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
-#include "moserhex/HexMeshIO/ScalarImageReader.h"
 #include "moserhex/HexMeshIO/TransformFile.h"
 
 #include <algorithm>
@@ -51,13 +50,7 @@ readImage(const std::string & fileName, const MeshCommandOptions & options, std:
 {
   const ScalarImage image = readScalarImage(fileName, readOptionsOf(options));
   warnings.insert(warnings.end(), image.warnings.begin(), image.warnings.end());
-  ScalarVolume volume = itk::ScalarVolumeFromImage(image.image.GetPointer());
-  if (!std::all_of(volume.values.begin(), volume.values.end(), [](double value) { return std::isfinite(value); }))
-  {
-    throw BadInput(
-      ErrorCode::PixelType, fileName, "it holds values that are not finite", "fill them, with 0 for example");
-  }
-  return volume;
+  return comparableVolume(image);
 }
 
 void
@@ -74,6 +67,18 @@ requireTemplate(const HexMesh & mesh, const MeshCommandOptions & options)
 }
 
 } // namespace
+
+ScalarVolume
+comparableVolume(const ScalarImage & image)
+{
+  ScalarVolume volume = itk::ScalarVolumeFromImage(image.image.GetPointer());
+  if (!std::all_of(volume.values.begin(), volume.values.end(), [](double value) { return std::isfinite(value); }))
+  {
+    throw BadInput(
+      ErrorCode::PixelType, image.fileName, "it holds values that are not finite", "fill them, with 0 for example");
+  }
+  return volume;
+}
 
 bool
 isAlignedByFile(const MeshCommandOptions & options)

@@ -3,6 +3,7 @@
 #include "MeshOptions.h"
 #include "moserhex/Geometry/HexMesh.h"
 #include "moserhex/HexMeshIO/RunReport.h"
+#include "moserhex/HexMeshIO/ScalarImageReader.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
 #include <optional>
@@ -24,6 +25,10 @@ struct TemplateInputs
 /** Whether a template is brought to the label by a transform of a file: --align names none of the ways. */
 [[nodiscard]] bool
 isAlignedByFile(const MeshCommandOptions & options);
+
+/** An image to compare with another one. \throws BadInput (PixelType)  a value is not finite */
+[[nodiscard]] ScalarVolume
+comparableVolume(const ScalarImage & image);
 
 /** Reads what options say of a template in memory: its transform, landmarks and images.
  * \param mesh  named in messages as options.templateMesh

@@ -34,7 +34,11 @@ def mesh(
     max_repair: float = 5.0,
     density: Union[None, Array, Tuple[Array, Array]] = None,
     template: Optional[Mesh] = None,
-    align: str = "rigid",
+    align: Union[str, Path] = "rigid",
+    landmarks: Optional[Array] = None,
+    template_landmarks: Optional[Array] = None,
+    image: Union[None, Array, Tuple[Array, Array]] = None,
+    template_image: Optional[Tuple[Array, Array]] = None,
     threads: int = 0,
     allow_partial: bool = False,
     progress: Optional[Callable[[float], Any]] = None,
@@ -59,8 +63,13 @@ def mesh(
                    a pair (array, affine)
     template       a Mesh without padding that this one is tied to, node by node: a follow-up to its baseline, a subject
                    to an atlas; in any space; only with stage "exact", without padding, density, way and frame
-    align          how the template is brought to the label first: "rigid", by the surfaces, or "none", where both are of
-                   one scan
+    align          how the template is brought to the label first: "rigid" or "affine", by the surfaces; "none", where
+                   both are of one scan; or a file with an ITK transform from the template to the label
+    landmarks      (K, 3) places of this organ [mm], in `space`, and
+    template_landmarks  (K, 3) the same ones on the template, in its space, to refine the tie by
+    image          an image of this subject, to refine the tie by: an array on the voxels of `labels`, or a pair
+                   (array, affine), and
+    template_image a pair (array, affine in the template's space): an image of the same kind of the template's subject
     threads        0: all of the machine's; the result does not depend on it
     allow_partial  give out a mesh that is not exact, with a warning
     progress       called in this thread with the part done, in [0, 1]; what it raises ends the work, and so does returning
@@ -71,10 +80,11 @@ def mesh(
 
     Raises Error; its `code` is one of Documentation/Errors.md.
     """
-    if isinstance(density, tuple):
-        density, density_affine = density
-    else:
-        density_affine = affine
+    density, density_affine = _with_affine(density, affine)
+    image, image_affine = _with_affine(image, affine)
+    if template_image is not None and not isinstance(template_image, tuple):
+        raise TypeError("template_image: need a pair (array, affine)")
+    template_image, template_affine = _with_affine(template_image, None)
     if template is not None and not isinstance(template, Mesh):
         raise TypeError(f"template: need a Mesh, not {type(template).__name__}")
     if shells is None:
@@ -96,7 +106,13 @@ def mesh(
             density,
             density_affine,
             None if template is None else template._compiled,
-            align,
+            os.fspath(align),
+            landmarks,
+            template_landmarks,
+            image,
+            image_affine,
+            template_image,
+            template_affine,
             threads,
             allow_partial,
             progress,
@@ -322,6 +338,11 @@ class Mesh:
         Raises Error: E_USAGE, E_CANTCREAT, E_IO.
         """
         self._compiled.write(os.fspath(path))
+
+
+def _with_affine(image: Any, affine: Optional[Array]) -> Tuple[Any, Optional[Array]]:
+    """An image and its affine, which is `affine` unless the image is a pair."""
+    return image if isinstance(image, tuple) else (image, affine)
 
 
 def _read_only(array: numpy.ndarray) -> numpy.ndarray:

@@ -10,6 +10,7 @@
 #include "PythonStatistics.h"
 #include "PythonTransfer.h"
 #include "ScaledJacobians.h"
+#include "TemplateArguments.h"
 #include "Version.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
@@ -53,6 +54,7 @@ meshSolidOf(LabelImage                         image,
             const std::optional<ScalarImage> & density,
             const app::MeshCommandOptions &    options,
             const HexMesh *                    templateMesh,
+            TemplateRefinement                 refinement,
             Space                              space,
             Interruption &                     interruption)
 {
@@ -71,6 +73,7 @@ meshSolidOf(LabelImage                         image,
   if (templateMesh != nullptr)
   {
     inputs.tied = app::tiedTo(*templateMesh, options);
+    inputs.tied->refinement = std::move(refinement);
   }
   const auto pipeline = app::runPipeline(solid, inputs, options, goOn);
   app::addResults(*pipeline, report);
@@ -97,6 +100,12 @@ makeMesh(const py::object &               labels,
          const py::object &               densityAffine,
          const PythonMesh *               templateMesh,
          const std::string &              align,
+         const py::object &               landmarks,
+         const py::object &               templateLandmarks,
+         const py::object &               image,
+         const py::object &               imageAffine,
+         const py::object &               templateImage,
+         const py::object &               templateImageAffine,
          long long                        threads,
          bool                             allowPartial,
          const py::object &               progress)
@@ -125,18 +134,21 @@ makeMesh(const py::object &               labels,
 
   const Space                     ownSpace = spaceOf(space);
   const std::optional<LabelValue> chosen = labelFrom(label);
-  LabelImage                      image = labelsFrom(labels, affine, ownSpace);
+  LabelImage                      labelImage = labelsFrom(labels, affine, ownSpace);
   std::optional<ScalarImage>      densityImage;
   if (!density.is_none())
   {
     densityImage = scalarsFrom(densityName, density, densityAffine, ownSpace);
   }
-  Interruption interruption(progress);
+  const TemplateArguments tie{ landmarks, templateLandmarks, image, imageAffine, templateImage, templateImageAffine };
+  TemplateRefinement      refinement = refinementFrom(tie, templateMesh, ownSpace);
+  Interruption            interruption(progress);
   try
   {
     const py::gil_scoped_release release;
     const HexMesh * const        lattice = templateMesh == nullptr ? nullptr : &templateMesh->lattice();
-    return meshSolidOf(std::move(image), chosen, densityImage, options, lattice, ownSpace, interruption);
+    return meshSolidOf(
+      std::move(labelImage), chosen, densityImage, options, lattice, std::move(refinement), ownSpace, interruption);
   }
   catch (const Cancelled &)
   {

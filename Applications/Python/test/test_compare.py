@@ -115,6 +115,64 @@ class Template(FolderTest):
         one = moserhex.mesh(self.FOLLOW_UP, RAS, template=ras)
         self.assertTrue(numpy.array_equal(one.points, moserhex.mesh(self.FOLLOW_UP, RAS, template=lps).points))
 
+    def test_is_refined_as_by_the_command(self):
+        write_nrrd(self.folder / "a.nrrd", LABELS, LPS)
+        write_nrrd(self.folder / "b.nrrd", self.FOLLOW_UP, LPS)
+        pattern = numpy.random.default_rng(3).integers(0, 255, LABELS.shape)
+        later = numpy.roll(pattern, 1, axis=0)
+        write_nrrd(self.folder / "ai.nrrd", pattern, LPS)
+        write_nrrd(self.folder / "bi.nrrd", later, LPS)
+        self.command("mesh", "a.nrrd", "a.vtk", "--quiet", "--shells", 3)
+        baseline = moserhex.mesh(LABELS, RAS, shells=3)
+        places = baseline.points[[86, 100, 130]]
+        moved = places + [[1.0, 0.0, 0.0], [0.5, 0.5, 0.0], [0.0, 0.0, 1.0]]
+        for name, points in (("t.csv", places), ("s.csv", moved)):
+            rows = ["x,y,z"] + [",".join(repr(float(x)) for x in point) for point in points @ FLIP]
+            (self.folder / name).write_text("\n".join(rows) + "\n")
+        for arguments, options in (
+            (
+                ("--landmarks", "s.csv", "--template-landmarks", "t.csv"),
+                {"landmarks": moved, "template_landmarks": places},
+            ),
+            (
+                ("--image", "bi.nrrd", "--template-image", "ai.nrrd"),
+                {"image": later, "template_image": (pattern, RAS)},
+            ),
+        ):
+            with self.subTest(arguments):
+                self.command(
+                    "mesh", "b.nrrd", "b.vtk", "--quiet", "--template", "a.vtk", "--shells", 3, "--align", "none",
+                    "--report", "b.json", *arguments,
+                )
+                tied = moserhex.mesh(self.FOLLOW_UP, RAS, template=baseline, align="none", **options)
+                self.assertTrue(numpy.array_equal(tied.points, moserhex.read(self.folder / "b.vtk").points))
+                said, command_s = tied.report["template"], self.json("b.json")["template"]
+                residuals = sorted(key for key in said if key.endswith(("_before", "_after")))
+                self.assertEqual(len(residuals), 2, said)
+                self.assertEqual([said[key] for key in residuals], [command_s[key] for key in residuals])
+                self.assertLess(said[residuals[0]], said[residuals[1]])  # after, before
+
+    def test_refinement_that_cannot_be_is_refused(self):
+        template = moserhex.mesh(LABELS, RAS, shells=3)
+        three = numpy.zeros((3, 3))
+        holed = numpy.full(LABELS.shape, numpy.nan)
+        for code, options in (
+            ("E_USAGE", {"landmarks": three}),
+            ("E_USAGE", {"image": LABELS}),
+            ("E_USAGE", {"template": None, "landmarks": three, "template_landmarks": three}),
+            ("E_DIMENSION", {"landmarks": three, "template_landmarks": three[:2]}),
+            ("E_DIMENSION", {"landmarks": three[:0], "template_landmarks": three[:0]}),
+            ("E_DIMENSION", {"landmarks": three[:, :2], "template_landmarks": three}),
+            ("E_PIXELTYPE", {"landmarks": three * numpy.nan, "template_landmarks": three}),
+            ("E_PIXELTYPE", {"image": holed, "template_image": (LABELS, RAS)}),
+        ):
+            with self.subTest(**options), self.assertRaises(moserhex.Error) as caught:
+                moserhex.mesh(LABELS, RAS, **{"template": template, **options})
+            self.assertEqual(caught.exception.code, code, str(caught.exception))
+            self.assertNotIn("--", str(caught.exception))
+        with self.assertRaises(TypeError):
+            moserhex.mesh(LABELS, RAS, template=template, image=LABELS, template_image=LABELS)
+
     def test_that_does_not_fit_is_refused(self):
         template = moserhex.mesh(LABELS, RAS, shells=3)
         for code, options in (
