@@ -13,6 +13,7 @@ html_copy_source = False
 html_show_sourcelink = False
 myst_heading_anchors = 4
 highlight_language = "none"
+smartquotes = False  # two hyphens begin an option, they are no dash
 exclude_patterns = []
 html_theme_options = {"light_css_variables": {"font-stack": "sans-serif"}, "dark_css_variables": {"font-stack": "sans-serif"}}
 
