@@ -1,0 +1,238 @@
+#include "ShapeSample.h"
+
+#include "moserhex/Common/Errors.h"
+#include "moserhex/Correspondence/NearestPointCorrespondence.h"
+#include "moserhex/Correspondence/SurfaceDistance.h"
+#include "moserhex/Deformation/LatticeAlignment.h"
+#include "moserhex/Deformation/SurfaceMotion.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
+#include "moserhex/LevelSet/MarchingTetrahedra.h"
+#include "moserhex/ShapeStatistics/Procrustes.h"
+#include "moserhex/ShapeStatistics/ShapeModel.h"
+
+#include <algorithm>
+#include <iostream>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+namespace moserhex::correspondence
+{
+namespace
+{
+
+Positions
+boundaryPoints(const HexMesh & mesh)
+{
+  Positions points;
+  for (const std::size_t node : boundaryNodes(mesh))
+  {
+    points.push_back(mesh.nodes[node]);
+  }
+  return points;
+}
+
+/** A lattice whose boundary nodes are these. */
+HexMesh
+withBoundaryPoints(HexMesh mesh, const Positions & points)
+{
+  const std::vector<std::size_t> nodes = boundaryNodes(mesh);
+  for (std::size_t b = 0; b < nodes.size(); ++b)
+  {
+    mesh.nodes[nodes[b]] = points[b];
+  }
+  return mesh;
+}
+
+std::vector<HexMesh>
+meshesBy(const Sample & sample, std::size_t way)
+{
+  std::vector<HexMesh> meshes;
+  for (const Subject & subject : sample.subjects)
+  {
+    meshes.push_back(subject.meshes[way]);
+  }
+  return meshes;
+}
+
+/** Generalised Procrustes alignment of the boundary nodes. */
+std::vector<SimilarityTransform>
+alignmentOf(const std::vector<HexMesh> & meshes, AlignmentKind kind)
+{
+  std::vector<Positions> points;
+  points.reserve(meshes.size());
+  std::transform(meshes.begin(), meshes.end(), std::back_inserter(points), boundaryPoints);
+  ProcrustesOptions options;
+  options.kind = kind;
+  const ProcrustesResult result = generalisedProcrustes(
+    points.size(), [&](std::size_t subject) { return points[subject]; }, options);
+  if (!result.report.converged)
+  {
+    throw std::runtime_error("Procrustes: " + result.report.note);
+  }
+  return result.transforms;
+}
+
+ModelQuality
+qualityOf(const std::vector<HexMesh> & aligned)
+{
+  const std::size_t points = boundaryNodeCount(aligned.front().nodesPerSide);
+  Eigen::MatrixXd   rows(static_cast<Eigen::Index>(aligned.size()), static_cast<Eigen::Index>(3 * points));
+  for (std::size_t subject = 0; subject < aligned.size(); ++subject)
+  {
+    rows.row(static_cast<Eigen::Index>(subject)) = coordinatesOf(boundaryPoints(aligned[subject])).transpose();
+  }
+  return modelQuality(fitShapeModel(MatrixTable(std::move(rows))).scores, points);
+}
+
+/** Aligns, then measures. \param motions  what has been done to the subjects' surfaces already */
+Correspondence
+measured(const std::string &                      name,
+         const Sample &                           sample,
+         const std::vector<HexMesh> &             meshes,
+         const std::vector<SimilarityTransform> & motions,
+         AlignmentKind                            kind)
+{
+  Correspondence                         result{ name, {}, {}, {} };
+  const std::vector<SimilarityTransform> transforms = alignmentOf(meshes, kind);
+  for (std::size_t s = 0; s < meshes.size(); ++s)
+  {
+    TriangleMesh surface = sample.subjects[s].surface;
+    surface.vertices = transformed(surface.vertices, motions[s]);
+    result.missed.push_back(surfaceDistance(surface, latticeSurface(meshes[s])).p95 / motions[s].scale);
+    result.shapes.push_back(transformed(meshes[s], transforms[s]));
+  }
+  result.quality = qualityOf(result.shapes);
+  return result;
+}
+
+void
+addRemark(const Way & way, const std::string & subject, const results::Run & run, Sample & sample)
+{
+  const std::string remark = remarkOn(run);
+  if (!remark.empty())
+  {
+    sample.remarks.push_back(subject + ", " + way.name + ": " + remark);
+  }
+}
+
+/** The subjects with their own meshes. */
+Sample
+ownMeshes(const std::vector<std::filesystem::path> & files, const Way & own, int shells)
+{
+  Sample sample;
+  for (const auto & file : files)
+  {
+    const std::string name = results::caseName(file);
+    std::cerr << name << std::endl;
+    try
+    {
+      const LabelImage          label = readLabelImage(file.string());
+      const results::LabelSolid solid = results::conditionedSolid(label, shells);
+      const results::Run        run = meshAlone(label, shells);
+      addRemark(own, name, run, sample);
+      sample.subjects.push_back(
+        { name, solid.volume / 1000.0, marchingTetrahedra(solid.phi, 0.0), { run.pipeline->GetHexMesh() } });
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      sample.remarks.push_back(name + ": left out, refused: " + error.GetDescription());
+    }
+    catch (const Error & error)
+    {
+      sample.remarks.push_back(name + ": left out, refused: " + error.what());
+    }
+  }
+  return sample;
+}
+
+} // namespace
+
+std::vector<std::filesystem::path>
+filesOfSubjects(const std::filesystem::path & folder, const Arguments & arguments)
+{
+  std::vector<std::filesystem::path> files;
+  std::set<std::string>              seen;
+  const std::regex                   expression(arguments.subject);
+  for (const auto & file : results::imagesIn(folder, std::numeric_limits<std::size_t>::max()))
+  {
+    const std::string name = results::caseName(file);
+    std::smatch       match;
+    if (!std::regex_search(name, match, expression))
+    {
+      throw std::runtime_error(file.string() + ": no \"" + arguments.subject + "\" in the name");
+    }
+    const bool isNew = arguments.subject.empty() || seen.insert(match.str()).second;
+    if (isNew && files.size() < arguments.cases)
+    {
+      files.push_back(file);
+    }
+  }
+  return files;
+}
+
+Sample
+meshSample(const std::vector<std::filesystem::path> & files, const std::vector<Way> & ways, const Arguments & arguments)
+{
+  Sample sample = ownMeshes(files, ways.front(), arguments.shells);
+  if (sample.subjects.size() < 3)
+  {
+    throw std::runtime_error("a model needs three subjects, there are " + std::to_string(sample.subjects.size()));
+  }
+  std::vector<Positions>                 aligned;
+  const std::vector<SimilarityTransform> transforms = alignmentOf(meshesBy(sample, 0), arguments.alignment);
+  for (std::size_t s = 0; s < sample.subjects.size(); ++s)
+  {
+    aligned.push_back(transformed(boundaryPoints(sample.subjects[s].meshes.front()), transforms[s]));
+  }
+  sample.medoid = medoidOf(aligned);
+  const HexMesh medoid = sample.subjects[sample.medoid].meshes.front();
+  for (std::size_t s = 0; s < sample.subjects.size(); ++s)
+  {
+    Subject & subject = sample.subjects[s];
+    for (std::size_t way = 1; way < ways.size(); ++way)
+    {
+      std::cerr << subject.name << ", " << ways[way].name << std::endl;
+      const auto file = std::find_if(
+        files.begin(), files.end(), [&](const auto & path) { return results::caseName(path) == subject.name; });
+      const results::Run run = meshBy(ways[way], readLabelImage(file->string()), medoid);
+      addRemark(ways[way], subject.name, run, sample);
+      subject.meshes.push_back(run.pipeline->GetHexMesh());
+    }
+  }
+  return sample;
+}
+
+Correspondence
+correspondenceBy(const Sample & sample, const std::vector<Way> & ways, std::size_t way, AlignmentKind alignment)
+{
+  const std::vector<SimilarityTransform> still(sample.subjects.size());
+  return measured(ways[way].name, sample, meshesBy(sample, way), still, alignment);
+}
+
+Correspondence
+simpleBaseline(const Sample & sample, AlignmentKind alignment)
+{
+  std::vector<HexMesh>                   meshes = meshesBy(sample, 0);
+  const std::vector<SimilarityTransform> motions = alignmentOf(meshes, alignment);
+  for (std::size_t s = 0; s < meshes.size(); ++s)
+  {
+    meshes[s] = transformed(meshes[s], motions[s]);
+  }
+  const Positions points = boundaryPoints(meshes[sample.medoid]);
+  for (std::size_t s = 0; s < meshes.size(); ++s)
+  {
+    if (s != sample.medoid)
+    {
+      const NearestPointResult nearest = nearestPointCorrespondence(points, latticeSurface(meshes[s]));
+      if (!nearest.report.converged)
+      {
+        throw std::runtime_error(sample.subjects[s].name + ": the alignment of the nearest points did not end");
+      }
+      meshes[s] = withBoundaryPoints(std::move(meshes[s]), nearest.points);
+    }
+  }
+  return measured("nearest point", sample, meshes, motions, alignment);
+}
+
+} // namespace moserhex::correspondence
