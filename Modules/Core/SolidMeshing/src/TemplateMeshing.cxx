@@ -117,6 +117,7 @@ private:
   align()
   {
     m_Reference = *m_Options.templateMesh;
+    scaleToVolume(m_Volume, m_Reference); // a smaller one would come to lie against a side of the solid
     std::ostringstream note;
     if (m_Options.templateAlignment != TemplateAlignment::None)
     {

@@ -187,7 +187,7 @@ meshSolid(const LevelSet &            ordering,
 /** Stage J alone, from another mesh: ties a solid to options.templateMesh, so that lattice indices are the same places
  * in both, as far as their shapes tell.
  *
- * The template is brought to the solid by options.templateAlignment and scaled to its volume about its middle; then its
+ * The template is scaled to the solid's volume about its middle and brought to it by options.templateAlignment; then its
  * boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that one
  * is sought which bends the template least (EqualisationOptions::reference). The less it may be bent, the more like it
  * the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
