@@ -85,25 +85,29 @@ qualityOf(const std::vector<HexMesh> & aligned)
   return modelQuality(fitShapeModel(MatrixTable(std::move(rows))).scores, points);
 }
 
-/** Aligns, then measures. \param motions  what has been done to the subjects' surfaces already */
 Correspondence
-measured(const std::string &                      name,
-         const Sample &                           sample,
-         const std::vector<HexMesh> &             meshes,
-         const std::vector<SimilarityTransform> & motions,
-         AlignmentKind                            kind)
+measured(const std::string & name, const Sample & sample, const std::vector<HexMesh> & meshes, AlignmentKind kind)
 {
-  Correspondence                         result{ name, {}, {}, {} };
+  Correspondence                         result{ name, {}, {} };
+  std::vector<HexMesh>                   shapes;
   const std::vector<SimilarityTransform> transforms = alignmentOf(meshes, kind);
   for (std::size_t s = 0; s < meshes.size(); ++s)
   {
-    TriangleMesh surface = sample.subjects[s].surface;
-    surface.vertices = transformed(surface.vertices, motions[s]);
-    result.missed.push_back(surfaceDistance(surface, latticeSurface(meshes[s])).p95 / motions[s].scale);
-    result.shapes.push_back(transformed(meshes[s], transforms[s]));
+    result.missed.push_back(surfaceDistance(sample.subjects[s].surface, latticeSurface(meshes[s])).p95);
+    shapes.push_back(transformed(meshes[s], transforms[s]));
   }
-  result.quality = qualityOf(result.shapes);
+  result.quality = qualityOf(shapes);
   return result;
+}
+
+SimilarityTransform
+inverseOf(const SimilarityTransform & transform)
+{
+  SimilarityTransform inverse;
+  inverse.scale = 1.0 / transform.scale;
+  inverse.rotation = transform.rotation.transpose();
+  inverse.translation = -(inverse.scale * (inverse.rotation * transform.translation));
+  return inverse;
 }
 
 void
@@ -206,33 +210,29 @@ meshSample(const std::vector<std::filesystem::path> & files, const std::vector<W
 Correspondence
 correspondenceBy(const Sample & sample, const std::vector<Way> & ways, std::size_t way, AlignmentKind alignment)
 {
-  const std::vector<SimilarityTransform> still(sample.subjects.size());
-  return measured(ways[way].name, sample, meshesBy(sample, way), still, alignment);
+  return measured(ways[way].name, sample, meshesBy(sample, way), alignment);
 }
 
 Correspondence
 simpleBaseline(const Sample & sample, AlignmentKind alignment)
 {
   std::vector<HexMesh>                   meshes = meshesBy(sample, 0);
-  const std::vector<SimilarityTransform> motions = alignmentOf(meshes, alignment);
-  for (std::size_t s = 0; s < meshes.size(); ++s)
-  {
-    meshes[s] = transformed(meshes[s], motions[s]);
-  }
-  const Positions points = boundaryPoints(meshes[sample.medoid]);
+  const std::vector<SimilarityTransform> motions = alignmentOf(meshes, AlignmentKind::Similarity);
+  const Positions points = transformed(boundaryPoints(meshes[sample.medoid]), motions[sample.medoid]);
   for (std::size_t s = 0; s < meshes.size(); ++s)
   {
     if (s != sample.medoid)
     {
-      const NearestPointResult nearest = nearestPointCorrespondence(points, latticeSurface(meshes[s]));
+      const NearestPointResult nearest =
+        nearestPointCorrespondence(points, latticeSurface(transformed(meshes[s], motions[s])));
       if (!nearest.report.converged)
       {
         throw std::runtime_error(sample.subjects[s].name + ": the alignment of the nearest points did not end");
       }
-      meshes[s] = withBoundaryPoints(std::move(meshes[s]), nearest.points);
+      meshes[s] = withBoundaryPoints(std::move(meshes[s]), transformed(nearest.points, inverseOf(motions[s])));
     }
   }
-  return measured("nearest point", sample, meshes, motions, alignment);
+  return measured("nearest point", sample, meshes, alignment);
 }
 
 } // namespace moserhex::correspondence

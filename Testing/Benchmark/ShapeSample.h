@@ -40,20 +40,20 @@ meshSample(const std::vector<std::filesystem::path> & files,
            const std::vector<Way> &                   ways,
            const Arguments &                          arguments);
 
-/** Corresponding points of all subjects of a sample on their surfaces, aligned, and what a model makes of them. */
+/** Corresponding points of all subjects of a sample on their surfaces: what a model makes of them. */
 struct Correspondence
 {
-  std::string          name;
-  std::vector<HexMesh> shapes; ///< aligned; of their nodes only those on the boundary count [mm]
-  ModelQuality         quality;
-  std::vector<double>  missed; ///< per subject, 95 % of the label's surface are nearer to what the points span [mm]
+  std::string         name;
+  ModelQuality        quality;
+  std::vector<double> missed; ///< per subject, 95 % of the label's surface are nearer to what the points span [mm]
 };
 
 /** From the boundary nodes of the meshes made by a way. */
 [[nodiscard]] Correspondence
 correspondenceBy(const Sample & sample, const std::vector<Way> & ways, std::size_t way, AlignmentKind alignment);
 
-/** From nearest points: the boundary nodes of the medoid's own mesh on the surfaces of the others' own meshes.
+/** From nearest points: the boundary nodes of the medoid's own mesh on the surfaces of the others' own meshes. For the
+ * search all have the same size and are aligned by Procrustes, node by node; the points then go back to each subject.
  * \throws std::runtime_error  an alignment does not come to its end */
 [[nodiscard]] Correspondence
 simpleBaseline(const Sample & sample, AlignmentKind alignment);
