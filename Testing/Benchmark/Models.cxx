@@ -1,6 +1,7 @@
 #include "ShapeSample.h"
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 
 namespace moserhex::correspondence
@@ -9,23 +10,45 @@ namespace
 {
 using results::fixed;
 
-/** Numbers of modes with a row of their own. */
-constexpr std::size_t rowsOfModes[] = { 1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50 };
-
-/** Of the model's measures. */
+/** A number for each number of modes, with its standard error where there is one. */
 struct Measure
 {
-  const char *              title;
-  const std::vector<double> ModelQuality::*value;
-  const std::vector<double> ModelQuality::*error; ///< null: there is none
-  int                                      digits;
+  const char *                                               title;
+  std::function<double(const Correspondence &, std::size_t)> value; ///< by the row's number, from 0
+  std::function<double(const Correspondence &, std::size_t)> error; ///< empty: none
 };
 
-constexpr Measure measures[] = {
-  { "Compactness: part of the variance", &ModelQuality::compactness, nullptr, 3 },
-  { "Generalisation (mm)", &ModelQuality::generalisation, &ModelQuality::generalisationError, 3 },
-  { "Specificity (mm)", &ModelQuality::specificity, &ModelQuality::specificityError, 3 },
-};
+/** Of the measures by points, which are known for every number of modes. */
+double
+inRow(const std::vector<double> & values, const std::vector<std::size_t> & rows, std::size_t row)
+{
+  return values.at(rows[row] - 1);
+}
+
+std::vector<Measure>
+measuresFor(const std::vector<std::size_t> & rows)
+{
+  using C = Correspondence;
+  const auto ofPoints = [rows](const std::vector<double> ModelQuality::*values) {
+    return [rows, values](const C & c, std::size_t row) { return inRow(c.points.*values, rows, row); };
+  };
+  const auto ofSurfaces = [](const std::vector<double> SurfaceModelQuality::*values) {
+    return [values](const C & c, std::size_t row) { return (c.surfaces.*values).at(row); };
+  };
+  return {
+    { "Compactness: part of the variance", ofPoints(&ModelQuality::compactness), {} },
+    { "Generalisation by points (mm)",
+      ofPoints(&ModelQuality::generalisation),
+      ofPoints(&ModelQuality::generalisationError) },
+    { "Specificity by points (mm)", ofPoints(&ModelQuality::specificity), ofPoints(&ModelQuality::specificityError) },
+    { "Generalisation by surfaces (mm)",
+      ofSurfaces(&SurfaceModelQuality::generalisation),
+      ofSurfaces(&SurfaceModelQuality::generalisationError) },
+    { "Specificity by surfaces (mm)",
+      ofSurfaces(&SurfaceModelQuality::specificity),
+      ofSurfaces(&SurfaceModelQuality::specificityError) }
+  };
+}
 
 void
 writeHeading(std::ostream & os, const std::string & first, const std::vector<Correspondence> & all)
@@ -43,36 +66,35 @@ writeHeading(std::ostream & os, const std::string & first, const std::vector<Cor
   os << '\n';
 }
 
-/** All correspondences have as many modes as the one with the fewest. */
-std::size_t
-commonModes(const std::vector<Correspondence> & all)
+/** The rows for which all have modes: subjects that are the same shape have fewer. */
+std::vector<std::size_t>
+commonRows(std::vector<std::size_t> rows, const std::vector<Correspondence> & all)
 {
-  std::size_t modes = all.front().quality.compactness.size();
   for (const Correspondence & one : all)
   {
-    modes = std::min(modes, one.quality.compactness.size());
+    const std::size_t modes = one.points.compactness.size();
+    rows.erase(std::upper_bound(rows.begin(), rows.end(), modes), rows.end());
   }
-  return modes;
+  return rows;
 }
 
 void
-writeMeasure(std::ostream & os, const Measure & measure, const std::vector<Correspondence> & all)
+writeMeasure(std::ostream &                      os,
+             const Measure &                     measure,
+             const std::vector<std::size_t> &    rows,
+             const std::vector<Correspondence> & all)
 {
   os << '\n' << measure.title << ":\n\n";
   writeHeading(os, "modes", all);
-  for (const std::size_t modes : rowsOfModes)
+  for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    if (modes > commonModes(all))
-    {
-      break;
-    }
-    os << "| " << modes << " |";
+    os << "| " << rows[row] << " |";
     for (const Correspondence & one : all)
     {
-      os << ' ' << fixed((one.quality.*measure.value)[modes - 1], measure.digits);
-      if (measure.error != nullptr)
+      os << ' ' << fixed(measure.value(one, row), 3);
+      if (measure.error)
       {
-        os << " &plusmn; " << fixed((one.quality.*measure.error)[modes - 1], measure.digits);
+        os << " &plusmn; " << fixed(measure.error(one, row), 3);
       }
       os << " |";
     }
@@ -96,29 +118,39 @@ writeMissed(std::ostream & os, const std::vector<Correspondence> & all)
   }
 }
 
-/** At how many numbers of modes each way is better than the last one, the baseline. */
+/** In how many rows each way is better, that is smaller, than the last one, the baseline. */
 void
-writeVerdict(std::ostream & os, const std::vector<Correspondence> & all)
+writeVerdict(std::ostream &                      os,
+             const std::vector<Measure> &        measures,
+             const std::vector<std::size_t> &    rows,
+             const std::vector<Correspondence> & all)
 {
-  const std::size_t    modes = commonModes(all);
-  const ModelQuality & baseline = all.back().quality;
-  for (std::size_t way = 0; way + 1 < all.size(); ++way)
+  os << "\nRows of " << rows.size() << " in which a way is better than *" << all.back().name << "*:\n\n";
+  writeHeading(os, "measure", { all.begin(), all.end() - 1 });
+  for (const Measure & measure : measures)
   {
-    const ModelQuality & quality = all[way].quality;
-    std::size_t          generalisation = 0;
-    std::size_t          specificity = 0;
-    for (std::size_t m = 0; m < modes; ++m)
+    if (measure.error) // compactness has none: it is no distance, and large is good
     {
-      generalisation += quality.generalisation[m] < baseline.generalisation[m] ? 1 : 0;
-      specificity += quality.specificity[m] < baseline.specificity[m] ? 1 : 0;
+      os << "| " << measure.title << " |";
+      for (std::size_t way = 0; way + 1 < all.size(); ++way)
+      {
+        std::size_t better = 0;
+        for (std::size_t row = 0; row < rows.size(); ++row)
+        {
+          better += measure.value(all[way], row) < measure.value(all.back(), row) ? 1 : 0;
+        }
+        os << ' ' << better << " |";
+      }
+      os << '\n';
     }
-    os << "\n*" << all[way].name << "* is better than *" << all.back().name << "* in generalisation with "
-       << generalisation << " of " << modes << " numbers of modes, in specificity with " << specificity << ".\n";
   }
 }
 
 void
-writeSample(std::ostream & os, const std::string & title, const Sample & sample)
+writeSample(std::ostream &                   os,
+            const std::string &              title,
+            const Sample &                   sample,
+            const std::vector<std::string> & remarks)
 {
   std::vector<double> volumes;
   for (const Subject & subject : sample.subjects)
@@ -130,11 +162,11 @@ writeSample(std::ostream & os, const std::string & title, const Sample & sample)
      << sample.subjects.size() << " subjects of " << fixed(*smallest, 1) << " to " << fixed(*largest, 1)
      << " mL, median " << fixed(results::medianOf(volumes), 1) << " mL; medoid " << sample.subjects[sample.medoid].name
      << ".\n";
-  for (const std::string & remark : sample.remarks)
+  for (const std::string & remark : remarks)
   {
     os << "\n* " << remark;
   }
-  os << (sample.remarks.empty() ? "" : "\n");
+  os << (remarks.empty() ? "" : "\n");
 }
 
 } // namespace
@@ -153,13 +185,17 @@ writeModels(std::ostream & os, const Arguments & arguments)
       all.push_back(correspondenceBy(sample, ways, way, arguments.alignment));
     }
     all.push_back(simpleBaseline(sample, arguments.alignment));
-    writeSample(os, (folder.parent_path().filename() / folder.filename()).string(), sample);
+    std::vector<std::string> remarks = sample.remarks;
+    remarks.insert(remarks.end(), all.back().remarks.begin(), all.back().remarks.end());
+    writeSample(os, (folder.parent_path().filename() / folder.filename()).string(), sample, remarks);
+    const std::vector<std::size_t> rows = commonRows(rowsOfModes(sample.subjects.size()), all);
+    const std::vector<Measure>     measures = measuresFor(rows);
     for (const Measure & measure : measures)
     {
-      writeMeasure(os, measure, all);
+      writeMeasure(os, measure, rows, all);
     }
     writeMissed(os, all);
-    writeVerdict(os, all);
+    writeVerdict(os, measures, rows, all);
     os << std::endl;
   }
 }

@@ -74,29 +74,36 @@ alignmentOf(const std::vector<HexMesh> & meshes, AlignmentKind kind)
 }
 
 ModelQuality
-qualityOf(const std::vector<HexMesh> & aligned)
+pointQuality(const std::vector<SubjectSurface> & subjects)
 {
-  const std::size_t points = boundaryNodeCount(aligned.front().nodesPerSide);
-  Eigen::MatrixXd   rows(static_cast<Eigen::Index>(aligned.size()), static_cast<Eigen::Index>(3 * points));
-  for (std::size_t subject = 0; subject < aligned.size(); ++subject)
+  const std::size_t points = subjects.front().points.size();
+  Eigen::MatrixXd   rows(static_cast<Eigen::Index>(subjects.size()), static_cast<Eigen::Index>(3 * points));
+  for (std::size_t s = 0; s < subjects.size(); ++s)
   {
-    rows.row(static_cast<Eigen::Index>(subject)) = coordinatesOf(boundaryPoints(aligned[subject])).transpose();
+    rows.row(static_cast<Eigen::Index>(s)) = coordinatesOf(subjects[s].points).transpose();
   }
   return modelQuality(fitShapeModel(MatrixTable(std::move(rows))).scores, points);
 }
 
+/** Aligns by Procrustes, then measures. */
 Correspondence
 measured(const std::string & name, const Sample & sample, const std::vector<HexMesh> & meshes, AlignmentKind kind)
 {
-  Correspondence                         result{ name, {}, {} };
-  std::vector<HexMesh>                   shapes;
+  Correspondence                         result{ name, {}, {}, {}, {} };
+  std::vector<SubjectSurface>            aligned;
   const std::vector<SimilarityTransform> transforms = alignmentOf(meshes, kind);
   for (std::size_t s = 0; s < meshes.size(); ++s)
   {
-    result.missed.push_back(surfaceDistance(sample.subjects[s].surface, latticeSurface(meshes[s])).p95);
-    shapes.push_back(transformed(meshes[s], transforms[s]));
+    const TriangleMesh & surface = sample.subjects[s].surface;
+    result.missed.push_back(surfaceDistance(surface, latticeSurface(meshes[s])).p95);
+    aligned.push_back({ transformed(boundaryPoints(meshes[s]), transforms[s]),
+                        { transformed(surface.vertices, transforms[s]), surface.triangles } });
   }
-  result.quality = qualityOf(shapes);
+  const auto span = [&](const Positions & points) {
+    return latticeSurface(withBoundaryPoints(meshes.front(), points));
+  };
+  result.points = pointQuality(aligned);
+  result.surfaces = surfaceModelQuality(aligned, span, rowsOfModes(meshes.size()));
   return result;
 }
 
@@ -151,6 +158,20 @@ ownMeshes(const std::vector<std::filesystem::path> & files, const Way & own, int
 }
 
 } // namespace
+
+std::vector<std::size_t>
+rowsOfModes(std::size_t subjects)
+{
+  std::vector<std::size_t> rows;
+  for (const std::size_t modes : { 1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50 })
+  {
+    if (modes + 2 <= subjects) // without one subject there is one mode less
+    {
+      rows.push_back(modes);
+    }
+  }
+  return rows;
+}
 
 std::vector<std::filesystem::path>
 filesOfSubjects(const std::filesystem::path & folder, const Arguments & arguments)
@@ -218,7 +239,8 @@ simpleBaseline(const Sample & sample, AlignmentKind alignment)
 {
   std::vector<HexMesh>                   meshes = meshesBy(sample, 0);
   const std::vector<SimilarityTransform> motions = alignmentOf(meshes, AlignmentKind::Similarity);
-  const Positions points = transformed(boundaryPoints(meshes[sample.medoid]), motions[sample.medoid]);
+  const Positions          points = transformed(boundaryPoints(meshes[sample.medoid]), motions[sample.medoid]);
+  std::vector<std::string> remarks;
   for (std::size_t s = 0; s < meshes.size(); ++s)
   {
     if (s != sample.medoid)
@@ -227,12 +249,16 @@ simpleBaseline(const Sample & sample, AlignmentKind alignment)
         nearestPointCorrespondence(points, latticeSurface(transformed(meshes[s], motions[s])));
       if (!nearest.report.converged)
       {
-        throw std::runtime_error(sample.subjects[s].name + ": the alignment of the nearest points did not end");
+        remarks.push_back(sample.subjects[s].name + ", nearest point: the alignment still moved by " +
+                          results::significant(nearest.report.residual) + " mm after " +
+                          std::to_string(nearest.report.steps) + " steps");
       }
       meshes[s] = withBoundaryPoints(std::move(meshes[s]), transformed(nearest.points, inverseOf(motions[s])));
     }
   }
-  return measured("nearest point", sample, meshes, alignment);
+  Correspondence result = measured("nearest point", sample, meshes, alignment);
+  result.remarks = std::move(remarks);
+  return result;
 }
 
 } // namespace moserhex::correspondence

@@ -2,6 +2,7 @@
 
 #include "CorrespondenceParts.h"
 
+#include "moserhex/Correspondence/SurfaceModelQuality.h"
 #include "moserhex/Geometry/TriangleMesh.h"
 #include "moserhex/ShapeStatistics/ModelQuality.h"
 
@@ -43,10 +44,16 @@ meshSample(const std::vector<std::filesystem::path> & files,
 /** Corresponding points of all subjects of a sample on their surfaces: what a model makes of them. */
 struct Correspondence
 {
-  std::string         name;
-  ModelQuality        quality;
-  std::vector<double> missed; ///< per subject, 95 % of the label's surface are nearer to what the points span [mm]
+  std::string              name;
+  ModelQuality             points;   ///< by points, for every number of modes
+  SurfaceModelQuality      surfaces; ///< by the labels' surfaces, for the numbers of rowsOfModes()
+  std::vector<double>      missed;   ///< per subject, 95 % of its surface are nearer to what the points span [mm]
+  std::vector<std::string> remarks;
 };
+
+/** The numbers of modes that have a row in the tables, for so many subjects. */
+[[nodiscard]] std::vector<std::size_t>
+rowsOfModes(std::size_t subjects);
 
 /** From the boundary nodes of the meshes made by a way. */
 [[nodiscard]] Correspondence
@@ -54,7 +61,7 @@ correspondenceBy(const Sample & sample, const std::vector<Way> & ways, std::size
 
 /** From nearest points: the boundary nodes of the medoid's own mesh on the surfaces of the others' own meshes. For the
  * search all have the same size and are aligned by Procrustes, node by node; the points then go back to each subject.
- * \throws std::runtime_error  an alignment does not come to its end */
+ */
 [[nodiscard]] Correspondence
 simpleBaseline(const Sample & sample, AlignmentKind alignment);
 
