@@ -5,7 +5,9 @@
 #include "moserhex/Correspondence/SurfaceDistance.h"
 #include "moserhex/Deformation/LatticeAlignment.h"
 #include "moserhex/Deformation/SurfaceMotion.h"
+#include "moserhex/Geometry/ClosestPoint.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
+#include "moserhex/Geometry/SurfaceRemeshing.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
 #include "moserhex/ShapeStatistics/Procrustes.h"
 #include "moserhex/ShapeStatistics/ShapeModel.h"
@@ -20,6 +22,8 @@ namespace moserhex::correspondence
 {
 namespace
 {
+
+constexpr double edgeOfSurface = 1.0; ///< of the triangles of a label's surface [mm]
 
 Positions
 boundaryPoints(const HexMesh & mesh)
@@ -127,6 +131,17 @@ addRemark(const Way & way, const std::string & subject, const results::Run & run
   }
 }
 
+/** The surface of a solid in triangles that are not smaller than distances need them. */
+TriangleMesh
+evenSurface(const LevelSet & phi)
+{
+  const TriangleMesh       fine = marchingTetrahedra(phi, 0.0);
+  const ClosestPointSearch search(fine);
+  SurfaceRemeshingOptions  options;
+  options.targetEdgeLength = edgeOfSurface;
+  return remeshSurface(fine, options, [&](const Vector3 & p) { return search.closest(p).point; }).mesh;
+}
+
 /** The subjects with their own meshes. */
 Sample
 ownMeshes(const std::vector<std::filesystem::path> & files, const Way & own, int shells)
@@ -143,7 +158,7 @@ ownMeshes(const std::vector<std::filesystem::path> & files, const Way & own, int
       const results::Run        run = meshAlone(label, shells);
       addRemark(own, name, run, sample);
       sample.subjects.push_back(
-        { name, solid.volume / 1000.0, marchingTetrahedra(solid.phi, 0.0), { run.pipeline->GetHexMesh() } });
+        { name, solid.volume / 1000.0, evenSurface(solid.phi), { run.pipeline->GetHexMesh() } });
     }
     catch (const itk::ExceptionObject & error)
     {
@@ -163,7 +178,7 @@ std::vector<std::size_t>
 rowsOfModes(std::size_t subjects)
 {
   std::vector<std::size_t> rows;
-  for (const std::size_t modes : { 1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50 })
+  for (const std::size_t modes : { 1, 2, 3, 5, 8, 12, 16, 25, 40 })
   {
     if (modes + 2 <= subjects) // without one subject there is one mode less
     {

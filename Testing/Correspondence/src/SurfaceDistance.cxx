@@ -2,7 +2,6 @@
 
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
-#include "moserhex/Geometry/ClosestPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +14,64 @@ namespace
 
 constexpr std::size_t pointsAtOnce = 1024;
 
-/** Points on a surface, and the area that each stands for. */
-struct SurfaceSamples
+/** Distances, and the areas that they stand for. */
+class Distances
 {
-  Positions           points;
-  std::vector<double> areas;
+public:
+  void
+  add(const SampledSurface & from, const ClosestPointSearch & to, unsigned int threads)
+  {
+    const std::size_t before = m_Distances.size();
+    m_Distances.resize(before + from.points().size());
+    m_Areas.insert(m_Areas.end(), from.areas().begin(), from.areas().end());
+    parallelForBlocks(from.points().size(), pointsAtOnce, threads, [&](std::size_t begin, std::size_t end) {
+      int guess = -1;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const ClosestPointOnSurface nearest = to.closest(from.points()[i], guess);
+        m_Distances[before + i] = std::sqrt(nearest.squaredDistance);
+        guess = nearest.triangle;
+      }
+    });
+  }
+
+  [[nodiscard]] WeightedDistribution
+  distribution() const
+  {
+    const std::optional<WeightedDistribution> found = weightedDistribution(m_Distances, m_Areas);
+    if (!found)
+    {
+      throw InvalidInput("surface distance: a surface without area");
+    }
+    return *found;
+  }
+
+private:
+  std::vector<double> m_Distances;
+  std::vector<double> m_Areas;
 };
 
-/** The middles of the k^2 parts of a triangle. */
+} // namespace
+
+SampledSurface::SampledSurface(const TriangleMesh & surface, double spacing) : m_Search(surface)
+{
+  if (!(spacing > 0.0))
+  {
+    throw InvalidInput("surface distance: spacing " + std::to_string(spacing) + " mm, need > 0");
+  }
+  for (const Triangle & triangle : surface.triangles)
+  {
+    const auto    corner = [&](std::size_t c) { return surface.vertices[static_cast<std::size_t>(triangle[c])]; };
+    const Vector3 a = corner(0);
+    const Vector3 b = corner(1);
+    const Vector3 c = corner(2);
+    const double  longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
+    addParts(a, b, c, std::max(1, static_cast<int>(std::ceil(longest / spacing))));
+  }
+}
+
 void
-addSamples(const Vector3 & a, const Vector3 & b, const Vector3 & c, int k, SurfaceSamples & samples)
+SampledSurface::addParts(const Vector3 & a, const Vector3 & b, const Vector3 & c, int k)
 {
   const Vector3 u = (b - a) / k;
   const Vector3 v = (c - a) / k;
@@ -33,98 +80,39 @@ addSamples(const Vector3 & a, const Vector3 & b, const Vector3 & c, int k, Surfa
   {
     for (int j = 0; i + j < k; ++j)
     {
-      samples.points.emplace_back(a + (i + 1.0 / 3.0) * u + (j + 1.0 / 3.0) * v);
-      samples.areas.push_back(area);
+      m_Points.emplace_back(a + (i + 1.0 / 3.0) * u + (j + 1.0 / 3.0) * v);
+      m_Areas.push_back(area);
       if (i + j + 1 < k) // the one that stands on its corner
       {
-        samples.points.emplace_back(a + (i + 2.0 / 3.0) * u + (j + 2.0 / 3.0) * v);
-        samples.areas.push_back(area);
+        m_Points.emplace_back(a + (i + 2.0 / 3.0) * u + (j + 2.0 / 3.0) * v);
+        m_Areas.push_back(area);
       }
     }
   }
 }
 
-SurfaceSamples
-samplesOf(const TriangleMesh & surface, double spacing)
-{
-  SurfaceSamples samples;
-  for (const Triangle & triangle : surface.triangles)
-  {
-    const auto    corner = [&](std::size_t c) { return surface.vertices[static_cast<std::size_t>(triangle[c])]; };
-    const Vector3 a = corner(0);
-    const Vector3 b = corner(1);
-    const Vector3 c = corner(2);
-    const double  longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
-    addSamples(a, b, c, std::max(1, static_cast<int>(std::ceil(longest / spacing))), samples);
-  }
-  return samples;
-}
-
-/** Adds the distances of `from` and their areas to what is there. */
-void
-addDistances(const TriangleMesh &           from,
-             const TriangleMesh &           to,
-             const SurfaceDistanceOptions & options,
-             std::vector<double> &          distances,
-             std::vector<double> &          areas)
-{
-  const SurfaceSamples     samples = samplesOf(from, options.spacing);
-  const ClosestPointSearch search(to);
-  const std::size_t        before = distances.size();
-  distances.resize(before + samples.points.size());
-  areas.insert(areas.end(), samples.areas.begin(), samples.areas.end());
-  parallelForBlocks(samples.points.size(), pointsAtOnce, options.threads, [&](std::size_t begin, std::size_t end) {
-    int guess = -1;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const ClosestPointOnSurface nearest = search.closest(samples.points[i], guess);
-      distances[before + i] = std::sqrt(nearest.squaredDistance);
-      guess = nearest.triangle;
-    }
-  });
-}
-
-WeightedDistribution
-distributionOf(const std::vector<double> & distances, const std::vector<double> & areas)
-{
-  const std::optional<WeightedDistribution> distribution = weightedDistribution(distances, areas);
-  if (!distribution)
-  {
-    throw InvalidInput("surface distance: a surface without area");
-  }
-  return *distribution;
-}
-
-void
-requireUsable(const SurfaceDistanceOptions & options)
-{
-  if (!(options.spacing > 0.0))
-  {
-    throw InvalidInput("surface distance: spacing " + std::to_string(options.spacing) + " mm, need > 0");
-  }
-}
-
-} // namespace
-
 WeightedDistribution
 surfaceDistance(const TriangleMesh & from, const TriangleMesh & to, const SurfaceDistanceOptions & options)
 {
-  requireUsable(options);
-  std::vector<double> distances;
-  std::vector<double> areas;
-  addDistances(from, to, options, distances, areas);
-  return distributionOf(distances, areas);
+  Distances distances;
+  distances.add(SampledSurface(from, options.spacing), ClosestPointSearch(to), options.threads);
+  return distances.distribution();
+}
+
+WeightedDistribution
+symmetricSurfaceDistance(const SampledSurface & a, const SampledSurface & b, unsigned int threads)
+{
+  Distances distances;
+  distances.add(a, b.search(), threads);
+  distances.add(b, a.search(), threads);
+  return distances.distribution();
 }
 
 WeightedDistribution
 symmetricSurfaceDistance(const TriangleMesh & a, const TriangleMesh & b, const SurfaceDistanceOptions & options)
 {
-  requireUsable(options);
-  std::vector<double> distances;
-  std::vector<double> areas;
-  addDistances(a, b, options, distances, areas);
-  addDistances(b, a, options, distances, areas);
-  return distributionOf(distances, areas);
+  return symmetricSurfaceDistance(
+    SampledSurface(a, options.spacing), SampledSurface(b, options.spacing), options.threads);
 }
 
 } // namespace moserhex

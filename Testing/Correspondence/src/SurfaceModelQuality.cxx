@@ -71,13 +71,16 @@ surfaceModelQuality(const std::vector<SubjectSurface> & subjects,
     throw InvalidInput("surface model quality: " + std::to_string(subjects.size()) + " subjects, " +
                        std::to_string(options.samples) + " samples, need at least 3 and 1");
   }
-  const Matrix           rows = rowsOf(subjects);
-  const auto             columns = static_cast<Eigen::Index>(modes.size());
-  SurfaceDistanceOptions distance;
-  distance.spacing = options.spacing;
-  distance.threads = 1;
+  const Matrix                rows = rowsOf(subjects);
+  const auto                  columns = static_cast<Eigen::Index>(modes.size());
+  std::vector<SampledSurface> surfaces;
+  surfaces.reserve(subjects.size());
+  for (const SubjectSurface & subject : subjects)
+  {
+    surfaces.emplace_back(subject.surface, options.spacing);
+  }
   const auto distanceTo = [&](std::size_t subject, const Positions & points) {
-    return symmetricSurfaceDistance(span(points), subjects[subject].surface, distance).mean;
+    return symmetricSurfaceDistance(SampledSurface(span(points), options.spacing), surfaces[subject], 1).mean;
   };
 
   Matrix leftOut(rows.rows(), columns);
