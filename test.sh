@@ -12,12 +12,14 @@ packages="$packages clang-format-14 calculix-ccx gmsh python3-meshio"
 packages="$packages pybind11-dev python3-dev python3-numpy"
 # A Slurm cluster of one node, and Snakemake, for the test of the workflow; it skips, saying so, where they are absent.
 packages="$packages munge slurmctld slurmd slurm-client snakemake"
+# The manual as a site, and its validator.
+packages="$packages doxygen furo python3-myst-parser python3-sphinx tidy"
 install_packages
 use_ccache
 check_formatting
 for preset in release core-only; do
   echo "== $preset"
-  cmake --preset $preset
+  cmake --preset $preset -DMoserHex_BUILD_MANUAL=ON
   cmake --build --preset $preset --parallel "$(build_jobs)"
   ctest --preset $preset --parallel 2 "$@"
 done

@@ -5,6 +5,7 @@
 #include "moserhex/Geometry/RigidAlignment.h"
 
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <limits>
 #include <string>
@@ -37,6 +38,10 @@ meshAlone(const LabelImage & label, int shells);
 /** What a reader of a table should know of a mesh: it is not exact, its lattice is turned. Empty: nothing. */
 [[nodiscard]] std::string
 remarkOn(const results::Run & run);
+
+/** What an action was refused with; empty: it was not. Other exceptions pass. */
+[[nodiscard]] std::string
+refusalOf(const std::function<void()> & action);
 
 struct Arguments
 {

@@ -1,5 +1,7 @@
 #include "CorrespondenceParts.h"
 
+#include "moserhex/Common/Errors.h"
+
 namespace moserhex::correspondence
 {
 
@@ -46,6 +48,24 @@ remarkOn(const results::Run & run)
     remark += remark.empty() ? "turned" : ", turned";
   }
   return remark;
+}
+
+std::string
+refusalOf(const std::function<void()> & action)
+{
+  try
+  {
+    action();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return std::string("refused: ") + error.GetDescription();
+  }
+  catch (const Error & error)
+  {
+    return std::string("refused: ") + error.what();
+  }
+  return {};
 }
 
 } // namespace moserhex::correspondence

@@ -1,10 +1,10 @@
 #include "CorrespondenceParts.h"
 
 #include "moserhex/Analytic/KnownDeformations.h"
+#include "moserhex/Correspondence/BoundaryLandmarks.h"
 #include "moserhex/Correspondence/LandmarkErrors.h"
 #include "moserhex/Deformation/WeightedDistribution.h"
 
-#include <algorithm>
 #include <iostream>
 
 namespace moserhex::correspondence
@@ -29,13 +29,19 @@ writeHeading(std::ostream & os, const std::vector<Way> & ways)
   os << '\n';
 }
 
-/** Largest entry of the difference between the affine parts of what a mesh and a deformation do. */
-double
-affineError(const HexMesh & baseline, const HexMesh & followUp, const analytic::KnownDeformation & deformation)
+/** One way's cells of a row. */
+void
+writeWay(std::ostream &                     os,
+         const results::Run &               run,
+         const HexMesh &                    baseline,
+         const analytic::KnownDeformation & deformation)
 {
-  Positions expected = baseline.nodes;
-  std::transform(expected.begin(), expected.end(), expected.begin(), deformation.forward);
-  return (affinePart(baseline.nodes, followUp.nodes) - affinePart(baseline.nodes, expected)).cwiseAbs().maxCoeff();
+  const HexMesh &            mesh = run.pipeline->GetHexMesh();
+  const std::vector<double>  errors = innerLandmarkErrors(baseline, mesh, deformation.forward);
+  const WeightedDistribution spread = *weightedDistribution(errors, std::vector<double>(errors.size(), 1.0));
+  const std::string          remark = remarkOn(run);
+  os << ' ' << fixed(spread.median, 2) << " / " << fixed(spread.p95, 2) << (remark.empty() ? "" : " (" + remark + ")")
+     << " | " << fixed(affinePartError(baseline, mesh, deformation.forward), 3) << " |";
 }
 
 } // namespace
@@ -43,28 +49,28 @@ affineError(const HexMesh & baseline, const HexMesh & followUp, const analytic::
 void
 writeDeformations(std::ostream & os, const Arguments & arguments)
 {
-  const std::vector<Way> ways = waysToCorrespond();
-  const analytic::Solid  solid = analytic::pearShapedSolid();
-  const results::Run     first = meshAlone(results::labelImageOf(solid), arguments.shells);
-  const HexMesh &        baseline = first.pipeline->GetHexMesh();
+  std::vector<Way> ways = waysToCorrespond();
+  ways.push_back({ "tied, landmarks", true, true, {} });
+  ways.back().options.templateAlignment = TemplateAlignment::None;
+  const analytic::Solid solid = analytic::pearShapedSolid();
+  const results::Run    first = meshAlone(results::labelImageOf(solid), arguments.shells);
+  const HexMesh &       baseline = first.pipeline->GetHexMesh();
   writeHeading(os, ways);
   for (const analytic::KnownDeformation & deformation : analytic::knownDeformations())
   {
     std::cerr << deformation.name << std::endl;
     const LabelImage label = results::labelImageOf(analytic::deformed(solid, deformation));
+    ways.back().options.refinement.landmarks = boundaryLandmarks(baseline, deformation.forward);
     os << "| " << deformation.name << " |";
     for (const Way & way : ways)
     {
-      const results::Run         run = meshBy(way, label, baseline);
-      const HexMesh &            mesh = run.pipeline->GetHexMesh();
-      const std::vector<double>  errors = innerLandmarkErrors(baseline, mesh, deformation.forward);
-      const WeightedDistribution spread = *weightedDistribution(errors, std::vector<double>(errors.size(), 1.0));
-      const std::string          remark = remarkOn(run);
-      os << ' ' << fixed(spread.median, 2) << " / " << fixed(spread.p95, 2)
-         << (remark.empty() ? "" : " (" + remark + ")") << " | " << fixed(affineError(baseline, mesh, deformation), 3)
-         << " |" << std::flush;
+      const std::string refusal = refusalOf([&] { writeWay(os, meshBy(way, label, baseline), baseline, deformation); });
+      if (!refusal.empty())
+      {
+        os << ' ' << refusal << " | |";
+      }
     }
-    os << '\n';
+    os << std::endl;
   }
 }
 

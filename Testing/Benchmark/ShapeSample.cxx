@@ -1,6 +1,5 @@
 #include "ShapeSample.h"
 
-#include "moserhex/Common/Errors.h"
 #include "moserhex/Correspondence/NearestPointCorrespondence.h"
 #include "moserhex/Correspondence/SurfaceDistance.h"
 #include "moserhex/Deformation/LatticeAlignment.h"
@@ -151,25 +150,46 @@ ownMeshes(const std::vector<std::filesystem::path> & files, const Way & own, int
   {
     const std::string name = results::caseName(file);
     std::cerr << name << std::endl;
-    try
-    {
+    const std::string refusal = refusalOf([&] {
       const LabelImage          label = readLabelImage(file.string());
       const results::LabelSolid solid = results::conditionedSolid(label, shells);
       const results::Run        run = meshAlone(label, shells);
       addRemark(own, name, run, sample);
       sample.subjects.push_back(
-        { name, solid.volume / 1000.0, evenSurface(solid.phi), { run.pipeline->GetHexMesh() } });
-    }
-    catch (const itk::ExceptionObject & error)
+        { file, name, solid.volume / 1000.0, evenSurface(solid.phi), { run.pipeline->GetHexMesh() } });
+    });
+    if (!refusal.empty())
     {
-      sample.remarks.push_back(name + ": left out, refused: " + error.GetDescription());
-    }
-    catch (const Error & error)
-    {
-      sample.remarks.push_back(name + ": left out, refused: " + error.what());
+      sample.remarks.push_back(name + ": left out, " + refusal);
     }
   }
   return sample;
+}
+
+/** Meshes of a subject by all ways but the first, which is its own. \return why one was refused; empty: none */
+std::string
+tieTo(const HexMesh & medoid, const std::vector<Way> & ways, Subject & subject, Sample & sample)
+{
+  std::string refusal;
+  for (std::size_t way = 1; way < ways.size() && refusal.empty(); ++way)
+  {
+    std::cerr << subject.name << ", " << ways[way].name << std::endl;
+    refusal = refusalOf([&] {
+      const results::Run run = meshBy(ways[way], readLabelImage(subject.file.string()), medoid);
+      addRemark(ways[way], subject.name, run, sample);
+      subject.meshes.push_back(run.pipeline->GetHexMesh());
+    });
+  }
+  return refusal;
+}
+
+void
+requireEnough(const Sample & sample)
+{
+  if (sample.subjects.size() < 3)
+  {
+    throw std::runtime_error("a model needs three subjects, there are " + std::to_string(sample.subjects.size()));
+  }
 }
 
 } // namespace
@@ -215,32 +235,38 @@ Sample
 meshSample(const std::vector<std::filesystem::path> & files, const std::vector<Way> & ways, const Arguments & arguments)
 {
   Sample sample = ownMeshes(files, ways.front(), arguments.shells);
-  if (sample.subjects.size() < 3)
-  {
-    throw std::runtime_error("a model needs three subjects, there are " + std::to_string(sample.subjects.size()));
-  }
+  requireEnough(sample);
   std::vector<Positions>                 aligned;
   const std::vector<SimilarityTransform> transforms = alignmentOf(meshesBy(sample, 0), arguments.alignment);
   for (std::size_t s = 0; s < sample.subjects.size(); ++s)
   {
     aligned.push_back(transformed(boundaryPoints(sample.subjects[s].meshes.front()), transforms[s]));
   }
-  sample.medoid = medoidOf(aligned);
-  const HexMesh medoid = sample.subjects[sample.medoid].meshes.front();
-  for (std::size_t s = 0; s < sample.subjects.size(); ++s)
+  const Subject medoid = sample.subjects[medoidOf(aligned)];
+  Sample        complete;
+  complete.remarks = sample.remarks;
+  for (Subject & subject : sample.subjects)
   {
-    Subject & subject = sample.subjects[s];
-    for (std::size_t way = 1; way < ways.size(); ++way)
+    const std::string refusal = tieTo(medoid.meshes.front(), ways, subject, complete);
+    if (refusal.empty())
     {
-      std::cerr << subject.name << ", " << ways[way].name << std::endl;
-      const auto file = std::find_if(
-        files.begin(), files.end(), [&](const auto & path) { return results::caseName(path) == subject.name; });
-      const results::Run run = meshBy(ways[way], readLabelImage(file->string()), medoid);
-      addRemark(ways[way], subject.name, run, sample);
-      subject.meshes.push_back(run.pipeline->GetHexMesh());
+      complete.subjects.push_back(std::move(subject));
+    }
+    else
+    {
+      complete.remarks.push_back(subject.name + ": left out, " + refusal);
     }
   }
-  return sample;
+  requireEnough(complete);
+  const auto place = std::find_if(complete.subjects.begin(), complete.subjects.end(), [&](const Subject & subject) {
+    return subject.name == medoid.name;
+  });
+  if (place == complete.subjects.end())
+  {
+    throw std::runtime_error(medoid.name + " cannot be tied to itself");
+  }
+  complete.medoid = static_cast<std::size_t>(place - complete.subjects.begin());
+  return complete;
 }
 
 Correspondence

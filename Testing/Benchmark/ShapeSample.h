@@ -15,10 +15,11 @@ namespace moserhex::correspondence
 /** A subject of a sample: its label's surface, and a mesh by every way. */
 struct Subject
 {
-  std::string          name;
-  double               volume{ 0.0 }; ///< of the label [mL]
-  TriangleMesh         surface;       ///< of the conditioned label [mm]
-  std::vector<HexMesh> meshes;        ///< in the order of the ways
+  std::filesystem::path file;
+  std::string           name;
+  double                volume{ 0.0 }; ///< of the label [mL]
+  TriangleMesh          surface;       ///< of the conditioned label [mm]
+  std::vector<HexMesh>  meshes;        ///< in the order of the ways
 };
 
 /** Subjects that all have meshes by every way, and what is to be said about them. */
@@ -34,7 +35,7 @@ struct Sample
 [[nodiscard]] std::vector<std::filesystem::path>
 filesOfSubjects(const std::filesystem::path & folder, const Arguments & arguments);
 
-/** \param ways  the first: own. A label that is refused is left out, with a remark
+/** \param ways  the first: own. A label that is refused by one of them is left out, with a remark
  * \throws std::runtime_error  fewer than three subjects are left */
 [[nodiscard]] Sample
 meshSample(const std::vector<std::filesystem::path> & files,

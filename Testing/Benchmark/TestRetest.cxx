@@ -1,12 +1,12 @@
 #include "CorrespondenceParts.h"
 
-#include "moserhex/Common/Errors.h"
 #include "moserhex/Correspondence/LandmarkErrors.h"
 #include "moserhex/Correspondence/SurfaceDistance.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
 
 #include <iostream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace moserhex::correspondence
@@ -18,15 +18,21 @@ using results::fixed;
 constexpr double factorOfSurfaces = 2.0; // of the bound
 constexpr double slackOfNodes = 0.5;     // of the bound [mm]
 
+/** What a way makes of the second label. */
+struct WayNumbers
+{
+  WeightedDistribution nodes; ///< from those of A [mm]
+  bool                 exact{ false };
+};
+
 /** What the table says of a study. */
 struct Study
 {
-  double                            volume{ 0.0 };      ///< of A [mL]
-  double                            volumeRatio{ 0.0 }; ///< B / A [1]
-  WeightedDistribution              surfaces;           ///< from each other [mm]
-  std::vector<WeightedDistribution> nodes;              ///< from each other, by every way [mm]
-  std::vector<bool>                 exact;              ///< the mesh of B, by every way
-  std::string                       remarks;
+  double                                 volume{ 0.0 };      ///< of A [mL]
+  double                                 volumeRatio{ 0.0 }; ///< B / A [1]
+  WeightedDistribution                   surfaces;           ///< from each other [mm]
+  std::vector<std::optional<WayNumbers>> ways;               ///< empty: refused
+  std::string                            remarks;
 
   [[nodiscard]] double
   bound() const
@@ -38,7 +44,7 @@ struct Study
   [[nodiscard]] bool
   isWithin(std::size_t way) const
   {
-    return exact[way] && nodes[way].median <= bound();
+    return ways[way] && ways[way]->exact && ways[way]->nodes.median <= bound();
   }
 };
 
@@ -74,9 +80,8 @@ filesByStudy(const std::filesystem::path & folder)
 }
 
 void
-addRemark(const std::string & name, const results::Run & run, std::string & remarks)
+addRemark(const std::string & name, const std::string & remark, std::string & remarks)
 {
-  const std::string remark = remarkOn(run);
   if (!remark.empty())
   {
     remarks += (remarks.empty() ? "" : "; ") + name + ": " + remark;
@@ -93,15 +98,20 @@ measure(const LabelImage & a, const LabelImage & b, const std::vector<Way> & way
   study.volumeRatio = solidB.volume / solidA.volume;
   study.surfaces = symmetricSurfaceDistance(marchingTetrahedra(solidA.phi, 0.0), marchingTetrahedra(solidB.phi, 0.0));
   const results::Run first = meshAlone(a, shells);
-  addRemark("A", first, study.remarks);
+  addRemark("A", remarkOn(first), study.remarks);
   const HexMesh & mesh = first.pipeline->GetHexMesh();
   for (const Way & way : ways)
   {
-    const results::Run        second = meshBy(way, b, mesh);
-    const std::vector<double> distances = pointDistances(mesh.nodes, second.pipeline->GetHexMesh().nodes);
-    study.nodes.push_back(*weightedDistribution(distances, std::vector<double>(distances.size(), 1.0)));
-    study.exact.push_back(second.pipeline->GetResult().equalisation->exact);
-    addRemark("B " + way.name, second, study.remarks);
+    study.ways.emplace_back();
+    std::string       remark;
+    const std::string refusal = refusalOf([&] {
+      const results::Run        second = meshBy(way, b, mesh);
+      const std::vector<double> distances = pointDistances(mesh.nodes, second.pipeline->GetHexMesh().nodes);
+      study.ways.back() = { *weightedDistribution(distances, std::vector<double>(distances.size(), 1.0)),
+                            second.pipeline->GetResult().equalisation->exact };
+      remark = remarkOn(second);
+    });
+    addRemark("B " + way.name, refusal.empty() ? remark : refusal, study.remarks);
   }
   return study;
 }
@@ -128,10 +138,13 @@ writeStudy(std::ostream & os, const std::string & name, const Study & study)
   os << "| " << name << " | " << fixed(study.volume, 1) << " | " << fixed(study.volumeRatio, 3) << " | "
      << fixed(study.surfaces.median, 2) << " / " << fixed(study.surfaces.p95, 2) << " | " << fixed(study.bound(), 2)
      << " |";
-  for (std::size_t way = 0; way < study.nodes.size(); ++way)
+  for (std::size_t way = 0; way < study.ways.size(); ++way)
   {
-    os << ' ' << fixed(study.nodes[way].median, 2) << " / " << fixed(study.nodes[way].p95, 2) << " | "
-       << (study.isWithin(way) ? "yes" : "no") << " |";
+    if (study.ways[way])
+    {
+      os << ' ' << fixed(study.ways[way]->nodes.median, 2) << " / " << fixed(study.ways[way]->nodes.p95, 2);
+    }
+    os << " | " << (study.isWithin(way) ? "yes" : "no") << " |";
   }
   os << ' ' << study.remarks << " |" << std::endl;
 }
@@ -158,7 +171,10 @@ writeSummary(std::ostream & os, const std::vector<Study> & studies, std::size_t 
     std::size_t         within = 0;
     for (const Study & study : studies)
     {
-      medians.push_back(study.nodes[way].median);
+      if (study.ways[way])
+      {
+        medians.push_back(study.ways[way]->nodes.median);
+      }
       within += study.isWithin(way) ? 1 : 0;
     }
     os << ' ' << fixed(results::medianOf(medians), 2) << " | |";
@@ -190,19 +206,14 @@ writeTestRetest(std::ostream & os, const Arguments & arguments)
     {
       ++asked;
       std::cerr << results::caseName(file) << std::endl;
-      try
-      {
+      const std::string refusal = refusalOf([&] {
         studies.push_back(
           measure(readLabelImage(file.string()), readLabelImage(partner->second.string()), ways, arguments.shells));
         writeStudy(os, results::caseName(file), studies.back());
-      }
-      catch (const itk::ExceptionObject & error)
+      });
+      if (!refusal.empty())
       {
-        os << "| " << results::caseName(file) << " | refused: " << error.GetDescription() << " |\n";
-      }
-      catch (const Error & error)
-      {
-        os << "| " << results::caseName(file) << " | refused: " << error.what() << " |\n";
+        os << "| " << results::caseName(file) << " | " << refusal << " |\n";
       }
     }
   }

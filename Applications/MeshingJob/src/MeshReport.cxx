@@ -29,6 +29,27 @@ describeConditioning(const ConditioningReport & conditioning)
 }
 
 void
+describeTies(const SolidMeshingResult & result, RunReport::Template & tied)
+{
+  if (result.alignment)
+  {
+    const SurfaceAlignmentResult & alignment = *result.alignment;
+    tied.aligned =
+      RunReport::Alignment{ alignment.motion.angle(), alignment.shift, alignment.rmsBefore, alignment.rmsAfter };
+  }
+  if (result.refinement && result.refinement->landmarkError)
+  {
+    tied.landmarks =
+      RunReport::Residual{ result.refinement->landmarkError->before, result.refinement->landmarkError->after };
+  }
+  if (result.refinement && result.refinement->imageDifference)
+  {
+    tied.imageDifference =
+      RunReport::Residual{ result.refinement->imageDifference->before, result.refinement->imageDifference->after };
+  }
+}
+
+void
 describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageReport> & stages, RunReport & report)
 {
   for (const MeshingStageReport & stage : stages)
@@ -47,12 +68,9 @@ describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageRe
   report.mesh.nodes = result.mesh.nodes.size();
   report.mesh.cells = result.mesh.cellCount();
   report.surface = RunReport::Surface{ result.boundary.rms, result.boundary.maximum };
-  if (result.alignment && report.templateMesh)
+  if (report.templateMesh)
   {
-    report.templateMesh->angle = result.alignment->motion.angle();
-    report.templateMesh->translation = result.alignment->shift;
-    report.templateMesh->rmsBefore = result.alignment->rmsBefore;
-    report.templateMesh->rmsAfter = result.alignment->rmsAfter;
+    describeTies(result, *report.templateMesh);
   }
   if (result.frame)
   {
@@ -89,7 +107,8 @@ startReport(const MeshCommandOptions & options)
   if (!options.templateMesh.empty())
   {
     report.templateMesh = RunReport::Template{};
-    report.templateMesh->file = options.templateMesh;
+    report.templateMesh->alignment = isAlignedByFile(options) ? "file" : options.align;
+    report.templateMesh->files = templateFiles(options);
   }
   report.parameters.topology = options.topology;
   report.parameters.maximumRepair = options.maximumRepairPercent;

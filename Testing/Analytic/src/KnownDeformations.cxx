@@ -77,21 +77,19 @@ pearShapedSolid()
   solid.signedFunction = [round](const Vector3 & p) {
     return round(Vector3(p.x(), p.y() * (1.0 + 0.004 * p.x()), p.z() * (1.0 - 0.006 * p.y())));
   };
-  solid.box = { Vector3(-26.0, -22.0, -18.0), Vector3(26.0, 22.0, 18.0) };
+  solid.box = { Vector3(-40.0, -36.0, -30.0), Vector3(40.0, 36.0, 30.0) };
   solid.volume = 0.0;
   return solid;
 }
 
 Solid
-deformed(const Solid & solid, const KnownDeformation & deformation, double margin)
+deformed(const Solid & solid, const KnownDeformation & deformation)
 {
   Solid      result = solid;
   const auto before = solid.signedFunction;
   const auto inverse = deformation.inverse;
   result.name += ", " + deformation.name;
   result.signedFunction = [before, inverse](const Vector3 & p) { return before(inverse(p)); };
-  result.box.lower -= Vector3::Constant(margin);
-  result.box.upper += Vector3::Constant(margin);
   result.volume = 0.0;
   return result;
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -104,6 +105,16 @@ affinePart(const Positions & from, const Positions & to)
     throw InvalidInput("affine part: the points lie in a plane");
   }
   return products * squares.inverse();
+}
+
+double
+affinePartError(const HexMesh &                                   baseline,
+                const HexMesh &                                   followUp,
+                const std::function<Vector3(const Vector3 & p)> & deformation)
+{
+  Positions expected(baseline.nodes.size());
+  std::transform(baseline.nodes.begin(), baseline.nodes.end(), expected.begin(), deformation);
+  return (affinePart(baseline.nodes, followUp.nodes) - affinePart(baseline.nodes, expected)).cwiseAbs().maxCoeff();
 }
 
 } // namespace moserhex

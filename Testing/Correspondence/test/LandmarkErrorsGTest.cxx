@@ -60,3 +60,16 @@ TEST(AffinePart, RefusesPointsInAPlane)
   const Positions flat{ Vector3(0, 0, 1), Vector3(1, 0, 1), Vector3(0, 1, 1), Vector3(2, 1, 1) };
   EXPECT_THROW((void)affinePart(flat, flat), InvalidInput);
 }
+
+TEST(AffinePartError, IsTheLargestEntryOfTheDifference)
+{
+  const HexMesh baseline = cubeLattice(4, 2.0);
+  HexMesh       followUp = baseline;
+  const Matrix3 found = (Matrix3() << 1.0, 0.2, 0.0, 0.0, 1.0, 0.0, 0.0, -0.05, 1.0).finished();
+  for (Vector3 & node : followUp.nodes)
+  {
+    node = found * node + Vector3(1.0, 0.0, 0.0);
+  }
+  const auto sheared = [](const Vector3 & p) { return Vector3(p.x() + 0.25 * p.z(), p.y(), p.z()); };
+  EXPECT_NEAR(affinePartError(baseline, followUp, sheared), 0.25, 1e-12); // 0.2, -0.25 and -0.05
+}

@@ -44,6 +44,8 @@ requireUsable(const SolidMeshingOptions & options)
   require(options.templateMesh->nodesPerSide == 2 * options.shells,
           "it has " + std::to_string(options.templateMesh->nodesPerSide) + " nodes a side, need " +
             std::to_string(2 * options.shells));
+  require(!options.templateNodes || options.templateNodes->size() == options.templateMesh->nodes.size(),
+          "there are not as many nodes in the solid's space as it has");
   require(options.lastStage == MeshingStage::Exact, "it needs the last stage Exact");
   require(options.density == nullptr, "a mesh that is tied to one has equal volumes, not masses");
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
@@ -119,7 +121,12 @@ private:
     m_Reference = *m_Options.templateMesh;
     scaleToVolume(m_Volume, m_Reference); // a smaller one would come to lie against a side of the solid
     std::ostringstream note;
-    if (m_Options.templateAlignment != TemplateAlignment::None)
+    if (m_Options.templateNodes)
+    {
+      m_Reference.nodes = *m_Options.templateNodes;
+      note << "brought by a given transform";
+    }
+    else if (m_Options.templateAlignment != TemplateAlignment::None)
     {
       SurfaceAlignmentOptions options;
       options.kind = m_Options.templateAlignment == TemplateAlignment::Affine ? SurfaceAlignmentKind::Affine
@@ -179,8 +186,7 @@ private:
     }
     const TemplateRefiner      refiner(*m_Options.templateMesh, m_Options.refinement);
     TemplateRefinementResult & report = m_Result.refinement.emplace();
-    report.landmarkErrorBefore = landmarkError(m_Result.mesh, refiner.landmarks());
-    EqualisationOptions options = equalisationOptions(m_Options);
+    EqualisationOptions        options = equalisationOptions(m_Options);
     options.ties.reference = m_Reference.nodes;
     options.ties.referenceWeight = refinementReferenceWeight;
     options.ties.landmarks = refiner.landmarks();
@@ -197,11 +203,15 @@ private:
         break;
       }
     }
-    report.landmarkErrorAfter = landmarkError(m_Result.mesh, refiner.landmarks());
+    if (!refiner.landmarks().empty())
+    {
+      report.landmarkError =
+        RefinedResidual{ landmarkError(tied, refiner.landmarks()), landmarkError(m_Result.mesh, refiner.landmarks()) };
+    }
     if (options.ties.image)
     {
-      report.imageDifferenceBefore = imageDifference(tied, *options.ties.image);
-      report.imageDifferenceAfter = imageDifference(m_Result.mesh, *options.ties.image);
+      report.imageDifference = RefinedResidual{ imageDifference(tied, *options.ties.image),
+                                                imageDifference(m_Result.mesh, *options.ties.image) };
     }
     m_Log.add("refined", m_Result.mesh, describe(report));
   }
@@ -230,18 +240,18 @@ private:
     return false;
   }
 
-  [[nodiscard]] std::string
-  describe(const TemplateRefinementResult & report) const
+  [[nodiscard]] static std::string
+  describe(const TemplateRefinementResult & report)
   {
     std::ostringstream text;
-    if (!m_Options.refinement.landmarks.empty())
+    if (report.landmarkError)
     {
-      text << "landmarks " << report.landmarkErrorBefore << " -> " << report.landmarkErrorAfter << " mm";
+      text << "landmarks " << report.landmarkError->before << " -> " << report.landmarkError->after << " mm";
     }
-    if (m_Options.refinement.images)
+    if (report.imageDifference)
     {
-      text << (m_Options.refinement.landmarks.empty() ? "" : ", ") << "image difference "
-           << report.imageDifferenceBefore << " -> " << report.imageDifferenceAfter << " standard deviations";
+      text << (report.landmarkError ? ", " : "") << "image difference " << report.imageDifference->before << " -> "
+           << report.imageDifference->after << " standard deviations";
     }
     return text.str();
   }

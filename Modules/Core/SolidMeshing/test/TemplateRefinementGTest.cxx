@@ -138,8 +138,8 @@ TEST(TemplateRefinement, LandmarksShowTheTurn)
   ASSERT_EQ(result.stages.size(), 3u);
   EXPECT_EQ(result.stages[2].name, "refined");
   ASSERT_TRUE(result.refinement);
-  EXPECT_GT(result.refinement->landmarkErrorBefore, 1.5);
-  EXPECT_LT(result.refinement->landmarkErrorAfter, 0.1 * result.refinement->landmarkErrorBefore);
+  EXPECT_GT(result.refinement->landmarkError->before, 1.5);
+  EXPECT_LT(result.refinement->landmarkError->after, 0.1 * result.refinement->landmarkError->before);
   EXPECT_LT(errorOf(result.mesh), 0.15);
 }
 
@@ -149,7 +149,7 @@ TEST(TemplateRefinement, ImagesShowTheTurn)
   EXPECT_TRUE(result.equalisation->exact);
   EXPECT_LE(result.equalisation->variance, 1e-18);
   ASSERT_TRUE(result.refinement);
-  EXPECT_LT(result.refinement->imageDifferenceAfter, 0.2 * result.refinement->imageDifferenceBefore);
+  EXPECT_LT(result.refinement->imageDifference->after, 0.2 * result.refinement->imageDifference->before);
   EXPECT_LT(errorOf(result.mesh), 0.15);
 }
 
@@ -173,7 +173,7 @@ TEST(TemplateRefinement, LandmarksThatContradictEachOtherLeaveAnExactMesh)
   }
   const SolidMeshingResult result = meshed(tied(std::move(refinement)));
   EXPECT_TRUE(result.equalisation->exact);
-  EXPECT_GT(result.refinement->landmarkErrorAfter, 3.0);
+  EXPECT_GT(result.refinement->landmarkError->after, 3.0);
 }
 
 TEST(TemplateRefinement, NeedsATemplate)

@@ -34,13 +34,12 @@ bulge();
 knownDeformations();
 
 /** About 52 x 40 x 32 mm, without any symmetry, so that its shape tells how it lies: an ellipsoid whose section changes
- * along it. The volume is not known and is 0 here. */
+ * along it. In a box that holds it after each of these deformations, too. The volume is not known and is 0 here. */
 [[nodiscard]] Solid
 pearShapedSolid();
 
-/** What becomes of a solid, in a larger box. The volume is not known and is 0. \param margin  most that the deformation
- * moves a point of the solid along an axis [mm] */
+/** What becomes of a solid, in the same box, which has to hold it. The volume is not known and is 0. */
 [[nodiscard]] Solid
-deformed(const Solid & solid, const KnownDeformation & deformation, double margin = 14.0);
+deformed(const Solid & solid, const KnownDeformation & deformation);
 
 } // namespace moserhex::analytic

@@ -28,4 +28,11 @@ innerLandmarkErrors(const HexMesh &                                   baseline,
 [[nodiscard]] Matrix3
 affinePart(const Positions & from, const Positions & to);
 
+/** Largest entry of the difference between the affine parts of what a follow-up's nodes do and of what a deformation
+ * does with the baseline's [1]. \throws InvalidInput  as affinePart */
+[[nodiscard]] double
+affinePartError(const HexMesh &                                   baseline,
+                const HexMesh &                                   followUp,
+                const std::function<Vector3(const Vector3 & p)> & deformation);
+
 } // namespace moserhex

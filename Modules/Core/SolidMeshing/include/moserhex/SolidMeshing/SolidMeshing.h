@@ -86,7 +86,10 @@ struct SolidMeshingOptions
   /** A lattice of N shells that the mesh is to be like, node by node: see meshOnTemplate. Empty: none. */
   std::optional<HexMesh> templateMesh;
   TemplateAlignment      templateAlignment{ TemplateAlignment::Rigid };
-  TemplateRefinement     refinement; ///< of a mesh that is tied; needs a template
+  /** Its nodes in the solid's space, as many, where a transform takes them there [mm]; in place of templateAlignment.
+   */
+  std::optional<Positions> templateNodes;
+  TemplateRefinement       refinement; ///< of a mesh that is tied; needs a template
 
   /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
    * null: volumes. Only with the last stage Exact; refused otherwise. */
@@ -187,10 +190,10 @@ meshSolid(const LevelSet &            ordering,
 /** Stage J alone, from another mesh: ties a solid to options.templateMesh, so that lattice indices are the same places
  * in both, as far as their shapes tell.
  *
- * The template is scaled to the solid's volume about its middle and brought to it by options.templateAlignment; then its
- * boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that one
- * is sought which bends the template least (EqualisationOptions::reference). The less it may be bent, the more like it
- * the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
+ * The template is scaled to the solid's volume about its middle and brought to it by options.templateAlignment; then
+ * its boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that
+ * one is sought which bends the template least (LatticeTies::reference). The less it may be bent, the more like
+ * it the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
  *
  * With options.refinement the exact mesh is then drawn, through exact ones, to where landmarks belong, and to where one
  * subject's image is like the other's (LatticeTies.h), images from smooth to sharp. The last exact mesh counts; what

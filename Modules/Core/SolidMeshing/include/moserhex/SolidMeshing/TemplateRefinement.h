@@ -35,13 +35,18 @@ struct TemplateRefinement
   }
 };
 
-/** What a refinement did. The median counts as it does for the landmarks. */
+/** What a refinement left of what it was to make small. */
+struct RefinedResidual
+{
+  double before{ 0.0 };
+  double after{ 0.0 };
+};
+
 struct TemplateRefinementResult
 {
-  double landmarkErrorBefore{ 0.0 }; ///< root mean square over the landmarks [mm]
-  double landmarkErrorAfter{ 0.0 };
-  double imageDifferenceBefore{ 0.0 }; ///< root mean square, in standard deviations of the image in the organ [1]
-  double imageDifferenceAfter{ 0.0 };
+  std::optional<RefinedResidual> landmarkError; ///< root mean square over the landmarks [mm]
+  /** Root mean square over the organ, in standard deviations of the image there, of the sharpest images [1]. */
+  std::optional<RefinedResidual> imageDifference;
 };
 
 } // namespace moserhex
