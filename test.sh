@@ -9,7 +9,7 @@ cd "$(dirname "$0")"
 # Independent readers of what is written; tests of them skip, saying so, where they are absent.
 packages="$packages clang-format-14 calculix-ccx gmsh python3-meshio"
 # The Python module and its tests are left out, saying so, where these are absent.
-packages="$packages pybind11-dev python3-dev python3-numpy"
+packages="$packages pybind11-dev python3-dev python3-numpy mricron-data"
 # A Slurm cluster of one node, and Snakemake, for the test of the workflow; it skips, saying so, where they are absent.
 packages="$packages munge slurmctld slurmd slurm-client snakemake"
 # The manual as a site, and its validator.
