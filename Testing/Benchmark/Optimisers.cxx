@@ -5,8 +5,6 @@
 #include "OptimiserMethods.h"
 #include "ResultsRun.h"
 
-#include "itkLevelSetConversion.h"
-
 #include "moserhex/Analytic/SolidShapes.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
@@ -32,24 +30,14 @@ caseOf(const std::string & name, const LabelImage & image)
   options.lastStage = MeshingStage::Initial;
   const results::Run run = results::runPipeline(image, options);
 
-  const auto conditioning = results::Pipeline::ConditioningFilterType::New();
-  conditioning->SetInput(image.image);
-  conditioning->SetLabel(chooseLabel(image, std::nullopt).value);
-  conditioning->SetNodesPerSide(2 * shells);
-  conditioning->Update();
-  return { name,
-           run.pipeline->GetHexMesh(),
-           std::make_shared<LevelSet>(itk::LevelSetFromImage(conditioning->GetOutput())),
-           conditioning->GetLabelVolume() };
+  results::LabelSolid solid = results::conditionedSolid(image, shells);
+  return { name, run.pipeline->GetHexMesh(), std::make_shared<LevelSet>(std::move(solid.phi)), solid.volume };
 }
 
 Case
 caseOf(const std::string & name, const analytic::Solid & solid)
 {
-  LabelImage image;
-  image.image = labelImageOf(analytic::labelVolume(solid));
-  image.labels = { { 1, 0, {} } };
-  return caseOf(name, image);
+  return caseOf(name, results::labelImageOf(solid));
 }
 
 std::vector<Case>

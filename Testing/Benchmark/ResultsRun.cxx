@@ -1,5 +1,7 @@
 #include "ResultsRun.h"
 
+#include "itkLevelSetConversion.h"
+
 #include "moserhex/Common/Stopwatch.h"
 
 #include <algorithm>
@@ -13,23 +15,29 @@ namespace moserhex::results
 Run
 runPipeline(const LabelImage & image, const RunOptions & runOptions)
 {
-  Run                 run{ Pipeline::New(), 0.0 };
   SolidMeshingOptions options;
   options.shells = runOptions.shells;
   options.lastStage = runOptions.lastStage;
   options.paddingLayers = runOptions.paddingLayers;
   options.way = runOptions.way;
-  options.allowPartial = true;
   if (!runOptions.smoothing)
   {
     options.smoothing.edges.slides = 0;
     options.smoothing.guarded.sweeps = 0;
     options.flow.smoothedPasses = 0;
   }
+  return runMeshing(image, options, runOptions.method);
+}
+
+Run
+runMeshing(const LabelImage & image, SolidMeshingOptions options, const std::optional<Pipeline::ShellMethod> & method)
+{
+  Run run{ Pipeline::New(), 0.0 };
+  options.allowPartial = true;
   run.pipeline->SetMeshingOptions(options);
-  if (runOptions.method)
+  if (method)
   {
-    run.pipeline->SetShellMethod(*runOptions.method);
+    run.pipeline->SetShellMethod(*method);
   }
   run.pipeline->SetInput(image.image);
   run.pipeline->SetLabel(chooseLabel(image, std::nullopt).value);
@@ -37,6 +45,26 @@ runPipeline(const LabelImage & image, const RunOptions & runOptions)
   run.pipeline->Update();
   run.seconds = stopwatch.seconds();
   return run;
+}
+
+LabelSolid
+conditionedSolid(const LabelImage & image, int shells)
+{
+  const auto conditioning = Pipeline::ConditioningFilterType::New();
+  conditioning->SetInput(image.image);
+  conditioning->SetLabel(chooseLabel(image, std::nullopt).value);
+  conditioning->SetNodesPerSide(2 * shells);
+  conditioning->Update();
+  return { itk::LevelSetFromImage(conditioning->GetOutput()), conditioning->GetLabelVolume() };
+}
+
+LabelImage
+labelImageOf(const analytic::Solid & solid)
+{
+  LabelImage image;
+  image.image = moserhex::labelImageOf(analytic::labelVolume(solid));
+  image.labels = { { 1, 0, {} } };
+  return image;
 }
 
 const MeshingStageReport &

@@ -2,6 +2,7 @@
 
 #include "itkMassPreservingHexahedralMeshFilter.h"
 
+#include "moserhex/Analytic/SolidShapes.h"
 #include "moserhex/HexMeshIO/LabelImageReader.h"
 
 #include <filesystem>
@@ -34,6 +35,26 @@ struct RunOptions
 /** A mesh that is not exact is accepted: the tables say so. */
 [[nodiscard]] Run
 runPipeline(const LabelImage & image, const RunOptions & runOptions);
+
+/** The same with all options of the meshing, but that a mesh that is not exact is accepted. */
+[[nodiscard]] Run
+runMeshing(const LabelImage &                           image,
+           SolidMeshingOptions                          options,
+           const std::optional<Pipeline::ShellMethod> & method = std::nullopt);
+
+/** A label as stage A leaves it. */
+struct LabelSolid
+{
+  LevelSet phi;           ///< negative inside [mm]
+  double   volume{ 0.0 }; ///< of the label [mm^3]
+};
+
+[[nodiscard]] LabelSolid
+conditionedSolid(const LabelImage & image, int shells);
+
+/** A solid's voxels of 1 mm. */
+[[nodiscard]] LabelImage
+labelImageOf(const analytic::Solid & solid);
 
 /** \throws std::runtime_error  the stage was not run */
 [[nodiscard]] const MeshingStageReport &

@@ -29,20 +29,6 @@ requireArguments(const Matrix & scores, std::size_t points, const ModelQualityOp
   }
 }
 
-/** Mean and its standard error down each column. */
-void
-meanAndError(const Matrix & values, std::vector<double> & mean, std::vector<double> & error)
-{
-  const double count = static_cast<double>(values.rows());
-  for (Eigen::Index column = 0; column < values.cols(); ++column)
-  {
-    const double average = values.col(column).mean();
-    const double squares = (values.col(column).array() - average).square().sum();
-    mean.push_back(average);
-    error.push_back(values.rows() > 1 ? std::sqrt(squares / (count - 1.0) / count) : 0.0);
-  }
-}
-
 /** Entry (i, m-1): distance of subject i to the first m modes of the others. */
 Matrix
 leaveOneOutDistances(const Matrix & scores, std::size_t points, Eigen::Index modes, unsigned int threads)
@@ -64,30 +50,16 @@ leaveOneOutDistances(const Matrix & scores, std::size_t points, Eigen::Index mod
   return distances;
 }
 
-/** Standard normal numbers, by Box and Muller. */
-Vector
-normalNumbers(Eigen::Index count, std::uint64_t seed)
-{
-  Random random(seed);
-  Vector numbers(count);
-  for (Eigen::Index k = 0; k < count; ++k)
-  {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
-    numbers[k] = radius * std::cos(2.0 * pi * random.uniform());
-  }
-  return numbers;
-}
-
 /** Entry (s, m-1): distance of sample s of the first m modes to the nearest subject. */
 Matrix
 sampleDistances(const Matrix & scores, std::size_t points, Eigen::Index modes, const ModelQualityOptions & options)
 {
-  const Vector deviations =
-    (scores.colwise().squaredNorm().transpose() / static_cast<double>(scores.rows() - 1)).cwiseSqrt();
+  const Vector variances =
+    scores.leftCols(modes).colwise().squaredNorm().transpose() / static_cast<double>(scores.rows() - 1);
   const Vector squaredLengths = scores.rowwise().squaredNorm();
   Matrix       distances(static_cast<Eigen::Index>(options.samples), modes);
   parallelFor(options.samples, options.threads, [&](std::size_t sample) {
-    const Vector b = normalNumbers(modes, Random(options.seed + sample).next()).cwiseProduct(deviations.head(modes));
+    const Vector b = randomScores(variances, sample, options.seed);
     Vector       squared = squaredLengths;
     for (Eigen::Index m = 0; m < modes; ++m)
     {
@@ -101,6 +73,34 @@ sampleDistances(const Matrix & scores, std::size_t points, Eigen::Index modes, c
 }
 
 } // namespace
+
+ColumnMeans
+columnMeans(const Matrix & values)
+{
+  const double count = static_cast<double>(values.rows());
+  ColumnMeans  means;
+  for (Eigen::Index column = 0; column < values.cols(); ++column)
+  {
+    const double average = values.col(column).mean();
+    const double squares = (values.col(column).array() - average).square().sum();
+    means.mean.push_back(average);
+    means.error.push_back(values.rows() > 1 ? std::sqrt(squares / (count - 1.0) / count) : 0.0);
+  }
+  return means;
+}
+
+Vector
+randomScores(const Vector & variances, std::size_t sample, std::uint64_t seed)
+{
+  Random random(Random(seed + sample).next());
+  Vector scores(variances.size());
+  for (Eigen::Index k = 0; k < variances.size(); ++k)
+  {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform())); // Box and Muller
+    scores[k] = std::sqrt(variances[k]) * (radius * std::cos(2.0 * pi * random.uniform()));
+  }
+  return scores;
+}
 
 ModelQuality
 modelQuality(const Matrix & scores, std::size_t points, const ModelQualityOptions & options)
@@ -117,9 +117,12 @@ modelQuality(const Matrix & scores, std::size_t points, const ModelQualityOption
   {
     quality.compactness.push_back(scatter.head(m).sum() / scatter.sum());
   }
-  meanAndError(
-    leaveOneOutDistances(scores, points, modes, options.threads), quality.generalisation, quality.generalisationError);
-  meanAndError(sampleDistances(scores, points, modes, options), quality.specificity, quality.specificityError);
+  ColumnMeans leftOut = columnMeans(leaveOneOutDistances(scores, points, modes, options.threads));
+  quality.generalisation = std::move(leftOut.mean);
+  quality.generalisationError = std::move(leftOut.error);
+  ColumnMeans samples = columnMeans(sampleDistances(scores, points, modes, options));
+  quality.specificity = std::move(samples.mean);
+  quality.specificityError = std::move(samples.error);
   return quality;
 }
 

@@ -131,3 +131,21 @@ TEST(ModelQuality, TooLittleIsRefused)
   EXPECT_EQ(analytic::messageOf([] { (void)modelQuality(Matrix::Ones(2, 1), 5); }),
             "model quality: 2 subjects, 1 modes, 5 points, 1000 samples, need at least 3, 1, 1 and 1");
 }
+
+TEST(RandomScores, HaveTheVariancesAndDoNotDependOnHowManyModesAreAskedFor)
+{
+  const Vector  variances = (Vector(3) << 4.0, 1.0, 0.0).finished();
+  Vector        sum = Vector::Zero(3);
+  Vector        squares = Vector::Zero(3);
+  constexpr int samples = 20000;
+  for (std::size_t sample = 0; sample < samples; ++sample)
+  {
+    const Vector b = randomScores(variances, sample, 1);
+    EXPECT_EQ(randomScores(variances.head(2), sample, 1), b.head(2));
+    sum += b;
+    squares += b.cwiseAbs2();
+  }
+  EXPECT_LT((sum / samples).cwiseAbs().maxCoeff(), 4.0 * 2.0 / std::sqrt(samples)); // four standard errors
+  EXPECT_LT((squares / samples - variances).cwiseAbs().maxCoeff(), 4.0 * 4.0 * std::sqrt(2.0 / samples));
+  EXPECT_NE(randomScores(variances, 0, 1), randomScores(variances, 0, 2));
+}

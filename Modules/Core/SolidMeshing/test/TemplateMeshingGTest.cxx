@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstring>
 
 using namespace moserhex;
 
@@ -124,6 +125,18 @@ TEST(MeshOnTemplate, DoesNotDependOnThreads)
   three.threads = 3;
   const Vector3 other(14.0, 13.0, 10.0);
   EXPECT_EQ(meshed(other, one).mesh.nodes, meshed(other, three).mesh.nodes);
+}
+
+TEST(MeshOnTemplate, TwoRunsGiveTheSameBytes)
+{
+  const Vector3 other(14.0, 13.0, 10.0);
+  for (const TemplateAlignment alignment : { TemplateAlignment::None, TemplateAlignment::Rigid })
+  {
+    const Positions once = meshed(other, tiedTo(templateMesh(), alignment)).mesh.nodes;
+    const Positions again = meshed(other, tiedTo(templateMesh(), alignment)).mesh.nodes;
+    ASSERT_EQ(once.size(), again.size());
+    EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(Vector3)), 0);
+  }
 }
 
 TEST(MeshOnTemplate, RefusesWhatItCannotTie)

@@ -28,6 +28,21 @@ struct ModelQuality
   std::vector<double> specificityError;    ///< standard error of that mean over the samples [mm]
 };
 
+/** Mean of every column, and its standard error, 0 for a single row. */
+struct ColumnMeans
+{
+  std::vector<double> mean;
+  std::vector<double> error;
+};
+
+[[nodiscard]] ColumnMeans
+columnMeans(const Eigen::MatrixXd & values);
+
+/** Scores b_k ~ N(0, variance_k) of a random shape of a model; they depend on k, sample and seed only, so those of
+ * fewer modes are the first of those of more [mm]. \param variances  of modes, >= 0 [mm^2] */
+[[nodiscard]] Eigen::VectorXd
+randomScores(const Eigen::VectorXd & variances, std::size_t sample, std::uint64_t seed);
+
 /** Compactness, generalisation and specificity as functions of the number of modes.
  *
  * Generalisation leaves every subject out once. The scatter of the others is a change of rank one,
@@ -38,7 +53,7 @@ struct ModelQuality
  * d, and what a mode of theirs explains of the subject (rho y_i from their mean) is 1 / sum_j y_j^2 / (d_j - mu)^2
  * [golub1973]: O(N M r) a subject instead of a decomposition. The subjects stay aligned as they are.
  *
- * Specificity draws b_k ~ N(0, variance_k), k <= m; a sample has the same b_k for every m.
+ * Specificity draws randomScores of k <= m modes; a sample has the same b_k for every m.
  *
  * \param scores  N x r, of all modes, uncorrelated with mean 0: ShapeModelResult::scores [mm]
  * \param points  of a shape, > 0

@@ -1,0 +1,77 @@
+#include "CorrespondenceParts.h"
+
+#include "moserhex/Analytic/KnownDeformations.h"
+#include "moserhex/Correspondence/BoundaryLandmarks.h"
+#include "moserhex/Correspondence/LandmarkErrors.h"
+#include "moserhex/Deformation/WeightedDistribution.h"
+
+#include <iostream>
+
+namespace moserhex::correspondence
+{
+namespace
+{
+using results::fixed;
+
+void
+writeHeading(std::ostream & os, const std::vector<Way> & ways)
+{
+  os << "| deformation |";
+  for (const Way & way : ways)
+  {
+    os << ' ' << way.name << ", nodes, median / 95 % (edges) | " << way.name << ", affine part |";
+  }
+  os << "\n|";
+  for (std::size_t column = 0; column < 1 + 2 * ways.size(); ++column)
+  {
+    os << " --- |";
+  }
+  os << '\n';
+}
+
+/** One way's cells of a row. */
+void
+writeWay(std::ostream &                     os,
+         const results::Run &               run,
+         const HexMesh &                    baseline,
+         const analytic::KnownDeformation & deformation)
+{
+  const HexMesh &            mesh = run.pipeline->GetHexMesh();
+  const std::vector<double>  errors = innerLandmarkErrors(baseline, mesh, deformation.forward);
+  const WeightedDistribution spread = *weightedDistribution(errors, std::vector<double>(errors.size(), 1.0));
+  const std::string          remark = remarkOn(run);
+  os << ' ' << fixed(spread.median, 2) << " / " << fixed(spread.p95, 2) << (remark.empty() ? "" : " (" + remark + ")")
+     << " | " << fixed(affinePartError(baseline, mesh, deformation.forward), 3) << " |";
+}
+
+} // namespace
+
+void
+writeDeformations(std::ostream & os, const Arguments & arguments)
+{
+  std::vector<Way> ways = waysToCorrespond();
+  ways.push_back({ "tied, landmarks", true, true, {} });
+  ways.back().options.templateAlignment = TemplateAlignment::None;
+  const analytic::Solid solid = analytic::pearShapedSolid();
+  const results::Run    first = meshAlone(results::labelImageOf(solid), arguments.shells);
+  const HexMesh &       baseline = first.pipeline->GetHexMesh();
+  writeHeading(os, ways);
+  for (const analytic::KnownDeformation & deformation : analytic::knownDeformations())
+  {
+    std::cerr << deformation.name << std::endl;
+    const LabelImage label = results::labelImageOf(analytic::deformed(solid, deformation));
+    ways.back().options.refinement.landmarks = boundaryLandmarks(baseline, deformation.forward);
+    os << "| " << deformation.name << " |";
+    for (const Way & way : ways)
+    {
+      const std::string refusal = refusalOf([&] { writeWay(os, meshBy(way, label, baseline), baseline, deformation); });
+      if (!refusal.empty())
+      {
+        os << ' ' << refusal << " | |";
+      }
+    }
+    os << std::endl;
+  }
+}
+
+} // namespace moserhex::correspondence
