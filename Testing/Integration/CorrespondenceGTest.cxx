@@ -1,7 +1,7 @@
 // Known deformations of a solid without symmetry: how far the nodes of the deformed label's mesh are from where the
 // deformation takes the nodes of the first one, and how far their best affine map is from that of the truth. Bounds:
 // half a cell edge for the median over inner nodes when tied to the first mesh by shape alone, 2 % for the affine part
-// with landmarks; the other ways are printed beside it.
+// with landmarks and with images; the other ways are printed beside it.
 #include "PipelineRun.h"
 
 #include "moserhex/Analytic/KnownDeformations.h"
@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <functional>
 
 using namespace moserhex;
 using namespace moserhex::integration;
@@ -52,7 +54,34 @@ struct CorrespondenceErrors
   CorrespondenceError tied;
   CorrespondenceError affine;    ///< aligned so
   CorrespondenceError landmarks; ///< refined by them
+  CorrespondenceError images;    ///< refined by them, the deformed one's values those of the places before
 };
+
+/** Waves of 16 to 22 mm along three oblique directions, so that every place has values around it of its own. */
+double
+waves(const Vector3 & p)
+{
+  return std::sin(Vector3(0.36, 0.05, -0.04).dot(p)) + std::sin(Vector3(-0.06, 0.32, 0.05).dot(p) + 1.0) +
+         std::sin(Vector3(0.03, -0.07, 0.28).dot(p) + 2.0);
+}
+
+ScalarVolume
+imageOf(const VoxelGrid & grid, const std::function<double(const Vector3 & p)> & f)
+{
+  ScalarVolume image;
+  static_cast<VoxelGrid &>(image) = grid;
+  for (int k = 0; k < grid.size[2]; ++k)
+  {
+    for (int j = 0; j < grid.size[1]; ++j)
+    {
+      for (int i = 0; i < grid.size[0]; ++i)
+      {
+        image.values.push_back(f(grid.point(i, j, k)));
+      }
+    }
+  }
+  return image;
+}
 
 /** The middle one, of two the larger. */
 double
@@ -67,8 +96,10 @@ CorrespondenceErrors
 errorsUnder(const analytic::KnownDeformation & deformation)
 {
   const analytic::Solid     solid = analytic::pearShapedSolid();
-  const HexMesh             baseline = meshOf(labelImage(analytic::labelVolume(solid)), nullptr);
-  const ShortImage::Pointer label = labelImage(analytic::labelVolume(analytic::deformed(solid, deformation)));
+  const LabelVolume         before = analytic::labelVolume(solid);
+  const LabelVolume         after = analytic::labelVolume(analytic::deformed(solid, deformation));
+  const HexMesh             baseline = meshOf(labelImage(before), nullptr);
+  const ShortImage::Pointer label = labelImage(after);
   const auto                errorOf = [&](const char * way, const HexMesh & mesh) {
     const CorrespondenceError error{ medianOf(innerLandmarkErrors(baseline, mesh, deformation.forward)),
                                      affinePartError(baseline, mesh, deformation.forward) };
@@ -81,10 +112,15 @@ errorsUnder(const analytic::KnownDeformation & deformation)
   };
   TemplateRefinement landmarks;
   landmarks.landmarks = boundaryLandmarks(baseline, deformation.forward);
+  TemplateRefinement images;
+  images.images =
+    CorrespondingImages{ imageOf(before, waves),
+                         imageOf(after, [&](const Vector3 & p) { return waves(deformation.inverse(p)); }) };
   return { errorOf("on its own", meshOf(label, nullptr)),
            errorOf("tied", meshOf(label, &baseline)),
            errorOf("tied, affine", meshOf(label, &baseline, TemplateAlignment::Affine)),
-           errorOf("tied, landmarks", meshOf(label, &baseline, TemplateAlignment::None, landmarks)) };
+           errorOf("tied, landmarks", meshOf(label, &baseline, TemplateAlignment::None, landmarks)),
+           errorOf("tied, images", meshOf(label, &baseline, TemplateAlignment::None, images)) };
 }
 
 } // namespace
@@ -96,6 +132,8 @@ TEST(Correspondence, AShearIsFollowed)
   EXPECT_LE(errors.affine.median, 0.5);
   EXPECT_LE(errors.landmarks.median, 0.5);
   EXPECT_LE(errors.landmarks.affine, 0.02);
+  EXPECT_LE(errors.images.median, 0.5);
+  EXPECT_LE(errors.images.affine, 0.02);
 }
 
 TEST(Correspondence, ABendIsFollowed)
@@ -106,6 +144,8 @@ TEST(Correspondence, ABendIsFollowed)
   EXPECT_LE(errors.affine.median, 0.5);
   EXPECT_LE(errors.landmarks.median, 0.5);
   EXPECT_LE(errors.landmarks.affine, 0.02);
+  EXPECT_LE(errors.images.median, 0.5);
+  EXPECT_LE(errors.images.affine, 0.02);
 }
 
 TEST(Correspondence, ALocalBulgeIsFollowedByATiedMesh)
@@ -116,4 +156,6 @@ TEST(Correspondence, ALocalBulgeIsFollowedByATiedMesh)
   EXPECT_LE(errors.affine.median, 0.5);
   EXPECT_LE(errors.landmarks.median, 0.5);
   EXPECT_LE(errors.landmarks.affine, 0.02);
+  EXPECT_LE(errors.images.median, 0.5);
+  EXPECT_LE(errors.images.affine, 0.02);
 }
