@@ -1,7 +1,9 @@
 #include "AtlasFiles.h"
 
+#include "AtlasPage.h"
 #include "MeanLabelmap.h"
 #include "NumberText.h"
+#include "PageName.h"
 #include "Version.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
@@ -332,6 +334,10 @@ writeAtlas(const AtlasResult & result, const AtlasOptions & options)
     writeTestTable(test, result.mean.mesh, options);
   }
   writeSummary(result, options, modes);
+  if (pagesAreBuilt())
+  {
+    writeAtlasPage(inFolder(options, "atlas.html"), result);
+  }
 }
 
 } // namespace moserhex::app

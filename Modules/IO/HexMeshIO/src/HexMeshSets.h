@@ -32,11 +32,6 @@ struct CubeFace
 [[nodiscard]] std::array<CubeFace, 6>
 cubeFaces(const HexMesh & mesh);
 
-/** Shell of every cell: N - (layers of cells between it and the lattice's boundary), 1 in the middle and N = n/2
- * outermost; N + l in layer l of the padding. */
-[[nodiscard]] std::vector<int>
-shellOfCells(const HexMesh & mesh);
-
 /** Of every node, 0 in the lattice. */
 [[nodiscard]] std::vector<int>
 paddingLayerOfNodes(const HexMesh & mesh);

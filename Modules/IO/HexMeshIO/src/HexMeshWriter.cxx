@@ -3,6 +3,7 @@
 #include "FileNames.h"
 #include "HexMeshFormats.h"
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 
 #include <algorithm>

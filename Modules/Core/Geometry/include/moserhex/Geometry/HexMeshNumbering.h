@@ -33,4 +33,9 @@ boundaryNodes(const HexMesh & mesh);
 [[nodiscard]] std::vector<Quadrilateral>
 boundaryQuads(const HexMesh & mesh);
 
+/** Shell of every cell: N - (layers of cells between it and the lattice's boundary), 1 in the middle and N = n/2
+ * outermost; N + l in layer l of the padding. */
+[[nodiscard]] std::vector<int>
+shellOfCells(const HexMesh & mesh);
+
 } // namespace moserhex
