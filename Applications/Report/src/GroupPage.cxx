@@ -24,7 +24,7 @@ using Outliers = std::vector<std::vector<int>>; ///< by column, then by row
 
 constexpr double      farFromMedian = 3.5;
 constexpr double      normalDeviation = 1.4826;
-constexpr std::size_t mostNamed = 20; ///< cases in the list of what to look at
+constexpr std::size_t mostNamed = 12; ///< failed and missing cases in the list of what to look at, and outliers
 
 bool
 isDone(const PageRow & row)
@@ -90,39 +90,64 @@ countsSection(const GroupContent & content)
          card("? missing", count("missing")) + "</dl>\n";
 }
 
+/** Entries of the list of what to look at; those above mostNamed are counted only. */
+class LookList
+{
+public:
+  LookList(const char * kind, const char * sign) : m_Kind(kind), m_Sign(sign)
+  {}
+
+  void
+  add(const std::string & name, const std::string & why)
+  {
+    if (++m_Count <= mostNamed)
+    {
+      m_Html += "<li class=\"" + m_Kind + "\"><span class=\"sign\" aria-hidden=\"true\">" + m_Sign + "</span>" +
+                (name.empty() ? "" : "<strong>" + escapeHtml(name) + "</strong>: ") + escapeHtml(why) + "</li>\n";
+    }
+  }
+
+  [[nodiscard]] std::string
+  html() const
+  {
+    const std::string more = m_Count > mostNamed
+                               ? "<li class=\"" + m_Kind + "\">and " + std::to_string(m_Count - mostNamed) +
+                                   " more: sort and filter the table below</li>\n"
+                               : "";
+    return m_Html + more;
+  }
+
+private:
+  std::string m_Kind;
+  std::string m_Sign;
+  std::string m_Html;
+  std::size_t m_Count{ 0 };
+};
+
 std::string
 lookSection(const GroupContent & content, const Outliers & outliers)
 {
-  std::string list;
-  std::size_t found = 0;
-  const auto  add = [&](const char * kind, const char * sign, const PageRow & row, const std::string & why) {
-    ++found;
-    if (found <= mostNamed)
-    {
-      list += std::string("<li class=\"") + kind + "\"><span class=\"sign\" aria-hidden=\"true\">" + sign +
-              "</span><strong>" + escapeHtml(row.name) + "</strong>: " + escapeHtml(why) + "</li>\n";
-    }
-  };
-  for (const PageRow & row : content.rows)
-  {
-    if (!isDone(row))
-    {
-      add("bad", "&#10005;", row, row.status + (row.code.empty() ? "" : " " + row.code) + ", " + row.message);
-    }
-  }
+  LookList undone("bad", "&#10005;");
+  LookList far("caution", "!");
+  LookList warnings("caution", "!");
   for (std::size_t row = 0; row < content.rows.size(); ++row)
   {
+    const PageRow &   of = content.rows[row];
     const std::string reasons = reasonsOf(content, outliers, row);
-    if (!reasons.empty())
+    if (!isDone(of))
     {
-      add("caution", "!", content.rows[row], reasons);
+      undone.add(of.name, of.status + (of.code.empty() ? "" : " " + of.code) + ", " + of.message);
+    }
+    else if (!reasons.empty())
+    {
+      far.add(of.name, reasons);
     }
   }
   for (const std::string & warning : content.warnings)
   {
-    list +=
-      "<li class=\"caution\"><span class=\"sign\" aria-hidden=\"true\">!</span>" + escapeHtml(warning) + "</li>\n";
+    warnings.add("", warning);
   }
+  const std::string list = undone.html() + far.html() + warnings.html();
   if (list.empty())
   {
     return section("look",
@@ -130,16 +155,13 @@ lookSection(const GroupContent & content, const Outliers & outliers)
                    "<p>Nothing stands out: no " + content.caseName +
                      " failed, is missing, or is far from the others in one of its numbers.</p>\n");
   }
-  const std::string more =
-    found > mostNamed ? "<p>" + std::to_string(found - mostNamed) + " more: sort and filter the table below.</p>\n"
-                      : "";
   return section(
     "look",
     "Look at these first",
     "<p>Failed and missing ones, then those whose numbers are far from the others' (more than 3.5 robust "
     "standard deviations from the median). Far from the others need not be wrong: look at the segmentation "
     "first.</p>\n<ul class=\"reasons\">\n" +
-      list + "</ul>\n" + more);
+      list + "</ul>\n");
 }
 
 std::string
@@ -173,7 +195,7 @@ tableSection(const GroupContent & content)
   return section(
     "table",
     "All " + content.caseName + "s",
-    "<form id=\"group-controls\" class=\"group-controls\">\n<div><label for=\"group-search\">Find</label><input "
+    "<div id=\"group-controls\" class=\"group-controls\">\n<div><label for=\"group-search\">Find</label><input "
     "type=\"search\" id=\"group-search\" placeholder=\"name, code or message\" "
     "autocomplete=\"off\"></div>\n<div><label "
     "for=\"group-status\">Status</label><select id=\"group-status\"><option value=\"\">all</option><option "
@@ -181,7 +203,7 @@ tableSection(const GroupContent & content)
     "</select></div>\n<div class=\"check\"><input type=\"checkbox\" id=\"group-outliers\"><label "
     "for=\"group-outliers\">Only those far from the others</label></div>\n<div><label for=\"group-size\">Rows a "
     "page</label><select id=\"group-size\"><option selected>50</option><option>200</option><option "
-    "value=\"0\">all</option></select></div>\n</form>\n<p id=\"group-count\" role=\"status\"></p>\n<div "
+    "value=\"0\">all</option></select></div>\n</div>\n<p id=\"group-count\" role=\"status\"></p>\n<div "
     "class=\"scroll\" "
     "id=\"group-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"The table\"><p>The table needs JavaScript; the "
     "same "

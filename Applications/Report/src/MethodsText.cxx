@@ -82,9 +82,10 @@ latticeSentence(const RunReport & report, Citations & citations)
   {
     return "A template mesh of " + n + " x " + n + " x " + n + " nodes was brought to the label and bent to fill it. ";
   }
-  return "Nested shells of the solid were mapped to spheres conformally " + citations.cite(angenent) +
-         " and with equal areas " + citations.cite(moser) + " and gave the initial lattice of " + n + " x " + n +
-         " x " + n + " nodes. ";
+  const std::string conformal = citations.cite(angenent);
+  const std::string equalAreas = citations.cite(moser);
+  return "Nested shells of the solid were mapped to spheres conformally " + conformal + " and with equal areas " +
+         equalAreas + " and gave the initial lattice of " + n + " x " + n + " x " + n + " nodes. ";
 }
 
 std::string
@@ -131,8 +132,10 @@ methodsText(const RunReport & report)
 {
   Citations   citations;
   MethodsText text;
-  text.paragraph =
-    labelSentence(report, citations) + latticeSentence(report, citations) + resultSentence(report, citations);
+  // One after the other: the order of the calls is that of the numbers.
+  text.paragraph = labelSentence(report, citations);
+  text.paragraph += latticeSentence(report, citations);
+  text.paragraph += resultSentence(report, citations);
   text.references = citations.references();
   return text;
 }

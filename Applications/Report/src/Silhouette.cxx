@@ -16,6 +16,7 @@ namespace
 
 constexpr int    picture = 96; ///< squares along a side, with an empty one around the mesh
 constexpr double margin = 0.7; ///< a point on the outline may be so far from it when it is left out [squares]
+constexpr double begin = 1.25; ///< of the mesh in the picture; no end of it is the middle of a square [squares]
 
 using Point = std::array<double, 2>;
 using Square = std::array<int, 2>;
@@ -53,7 +54,7 @@ public:
   [[nodiscard]] Point
   positionOf(const Point & corner) const
   {
-    return { m_Low[0] + (corner[0] - 1.5) * m_Side, m_Low[1] + (corner[1] - 1.5) * m_Side };
+    return { m_Low[0] + (corner[0] - begin) * m_Side, m_Low[1] + (corner[1] - begin) * m_Side };
   }
 
 private:
@@ -66,7 +67,7 @@ private:
   [[nodiscard]] Point
   inSquares(const Vector3 & node) const
   {
-    return { (node.x() - m_Low[0]) / m_Side + 1.5, (node.z() - m_Low[1]) / m_Side + 1.5 };
+    return { (node.x() - m_Low[0]) / m_Side + begin, (node.z() - m_Low[1]) / m_Side + begin };
   }
 
   void
@@ -75,16 +76,8 @@ private:
     const auto cross = [](const Point & p, const Point & q, const Point & r) {
       return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     };
-    // The squares of the corners are covered however small the triangle is.
-    for (const Point & corner : { a, b, c })
-    {
-      m_Covered[place({ static_cast<int>(corner[0]), static_cast<int>(corner[1]) })] = true;
-    }
     const double area = cross(a, b, c);
-    if (area == 0.0)
-    {
-      return;
-    }
+    bool         isSeen = false;
     const auto [left, right] = std::minmax({ a[0], b[0], c[0] });
     const auto [bottom, top] = std::minmax({ a[1], b[1], c[1] });
     for (int y = static_cast<int>(bottom); y <= static_cast<int>(top); ++y)
@@ -92,10 +85,18 @@ private:
       for (int x = static_cast<int>(left); x <= static_cast<int>(right); ++x)
       {
         const Point p{ x + 0.5, y + 0.5 };
-        if (cross(a, b, p) * area >= 0.0 && cross(b, c, p) * area >= 0.0 && cross(c, a, p) * area >= 0.0)
+        if (area != 0.0 && cross(a, b, p) * area >= 0.0 && cross(b, c, p) * area >= 0.0 && cross(c, a, p) * area >= 0.0)
         {
           m_Covered[place({ x, y })] = true;
+          isSeen = true;
         }
+      }
+    }
+    if (!isSeen) // smaller than a square
+    {
+      for (const Point & corner : { a, b, c })
+      {
+        m_Covered[place({ static_cast<int>(corner[0]), static_cast<int>(corner[1]) })] = true;
       }
     }
   }

@@ -197,7 +197,7 @@ sliceFigures(const SliceContent & content)
       shown.high = shown.high.cwiseMax(node);
     }
   }
-  const Vector3 margin = Vector3::Constant(0.1 * (shown.high - shown.low).maxCoeff());
+  const Vector3 margin = Vector3::Constant(0.07 * (shown.high - shown.low).maxCoeff());
   shown.low -= margin;
   shown.high += margin;
   std::string html;

@@ -48,7 +48,7 @@ controls(const HexMesh & mesh, const std::vector<CellField> & fields)
   const auto shell =
     std::find_if(fields.begin(), fields.end(), [](const CellField & field) { return field.id == "shell"; });
   const int shells = static_cast<int>(shell->shown.high);
-  return "<form id=\"viewer-controls\" class=\"viewer-controls\">\n<fieldset><legend>Colour</legend><label "
+  return "<div id=\"viewer-controls\" class=\"viewer-controls\">\n<fieldset><legend>Colour</legend><label "
          "for=\"colour-by\">Colour cells by</label><select id=\"colour-by\">" +
          options +
          "</select>\n<div id=\"colour-legend\" class=\"colour-legend\"></div>\n<div class=\"check\"><input "
@@ -61,8 +61,8 @@ controls(const HexMesh & mesh, const std::vector<CellField> & fields)
          "data-view=\"A\">Front</button><button type=\"button\" data-view=\"P\">Back</button><button type=\"button\" "
          "data-view=\"R\">Right</button><button type=\"button\" data-view=\"L\">Left</button><button type=\"button\" "
          "data-view=\"S\">Top</button><button type=\"button\" data-view=\"I\">Bottom</button></div><div "
-         "class=\"buttons\"><button type=\"button\" id=\"half-view\">Half of it</button><button type=\"reset\">Whole "
-         "mesh</button></div></fieldset>\n</form>\n";
+         "class=\"buttons\"><button type=\"button\" id=\"half-view\">Half of it</button><button type=\"button\" id=\"whole-view\">Whole "
+         "mesh</button></div></fieldset>\n</div>\n";
 }
 
 } // namespace

@@ -46,7 +46,7 @@ protected:
 std::string
 markupOf(std::string page)
 {
-  for (const std::string & name : { "script", "style" })
+  for (const std::string name : { "script", "style" })
   {
     for (std::size_t begin = page.find("<" + name); begin != std::string::npos; begin = page.find("<" + name, begin))
     {

@@ -65,6 +65,7 @@ export class MeshScene {
     }
     this.centre = low.clone().add(high).multiplyScalar(0.5);
     this.radius = low.distanceTo(high) / 2;
+    this.extent = high.clone().sub(low);
   }
 
   makeCamera() {
@@ -101,7 +102,9 @@ export class MeshScene {
       const span = document.createElement("span");
       span.textContent = name;
       parent.append(span);
-      return { span, direction: new Vector3(...directions[name]).setLength(1.12 * this.radius) };
+      const [x, y, z] = directions[name].map(Math.round);
+      const reach = (Math.abs(x) * this.extent.x + Math.abs(y) * this.extent.y + Math.abs(z) * this.extent.z) / 2;
+      return { span, direction: new Vector3(x, y, z).setLength(reach + 0.14 * this.radius) };
     });
   }
 
@@ -155,7 +158,7 @@ export class MeshScene {
       return;
     }
     this.renderer.setSize(clientWidth, clientHeight, false);
-    const half = 1.2 * this.radius;
+    const half = 0.95 * this.radius;
     const [x, y] = clientWidth > clientHeight ? [clientWidth / clientHeight, 1] : [1, clientHeight / clientWidth];
     Object.assign(this.camera, { left: -half * x, right: half * x, top: half * y, bottom: -half * y });
     this.camera.updateProjectionMatrix();
@@ -203,9 +206,11 @@ export class MeshScene {
     this.lamp.position.copy(this.camera.position).add(new Vector3(0, 0, this.radius));
     this.renderer.render(this.scene, this.camera);
     const { clientWidth, clientHeight } = this.canvas.parentElement;
+    const toEye = this.camera.position.clone().sub(this.centre);
     for (const { span, direction } of this.letters) {
       const place = direction.clone().add(this.centre).project(this.camera);
       const [x, y] = [((place.x + 1) / 2) * clientWidth, ((1 - place.y) / 2) * clientHeight];
+      span.classList.toggle("behind", direction.dot(toEye) < 0);
       span.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -50%)`;
     }
   }

@@ -86,7 +86,6 @@ class GroupTable {
     for (const id of ["group-search", "group-status", "group-outliers", "group-size"]) {
       element(id).addEventListener("input", () => this.show(0));
     }
-    element("group-controls").addEventListener("submit", (event) => event.preventDefault());
     element("group-previous").addEventListener("click", () => this.show(this.page - 1));
     element("group-next").addEventListener("click", () => this.show(this.page + 1));
     this.show(0);

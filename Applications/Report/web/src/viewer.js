@@ -58,7 +58,7 @@ export function startViewer() {
   if (!data) {
     return;
   }
-  const form = element("viewer-controls");
+  const controls = element("viewer-controls");
   const message = element("viewer-message");
   const mesh = new Mesh(data);
   let scene;
@@ -66,8 +66,8 @@ export function startViewer() {
     scene = new MeshScene(element("viewer-canvas"), element("viewer-letters"), mesh);
   } catch {
     message.textContent = "This browser has no WebGL, so there is no 3-D view. The slices and histograms do not need it.";
-    for (const control of form.elements) {
-      control.disabled = true;
+    for (const group of controls.querySelectorAll("fieldset")) {
+      group.disabled = true;
     }
     return;
   }
@@ -86,17 +86,21 @@ export function startViewer() {
     scene.edges.visible = element("show-edges").checked;
     scene.show(seen, field);
   };
-  form.addEventListener("submit", (event) => event.preventDefault());
-  form.addEventListener("input", (event) => {
+  controls.addEventListener("input", (event) => {
     keepOrder(event.target);
     update();
   });
-  form.addEventListener("reset", () => setTimeout(update));
-  form.addEventListener("click", (event) => {
+  controls.addEventListener("click", (event) => {
     const view = event.target.dataset?.view;
     if (view) {
       scene.lookFrom(view);
     }
+  });
+  element("whole-view").addEventListener("click", () => {
+    for (const slider of controls.querySelectorAll("input[type=range]")) {
+      slider.value = slider.defaultValue;
+    }
+    update();
   });
   element("half-view").addEventListener("click", () => {
     cutInHalf();

@@ -47,7 +47,7 @@ run("sample", path("sample"), "--quiet");
 run("mesh", path("sample/prostate.nrrd"), path("case.vtu"), "--quiet", "--report", path("case.html"), "--report", path("case.json"));
 run("mesh", path("sample/prostate_zones.nrrd"), path("zones.vtu"), "--quiet", "--padding=1", "--shells=6", "--report", path("zones.html"));
 run("mesh", path("sample/prostate.nrrd"), path("initial.vtu"), "--quiet", "--stage=initial", "--shells=4", "--report", path("initial.html"));
-const hostile = path("a<b> & \"c\" 'd' </script>.nrrd".replaceAll("/", "\u2215"));
+const hostile = path("<b> & \"c\" 'd'.nrrd");
 writeFileSync(hostile, "NRRD0004\n");
 runToFail("mesh", hostile, path("failed.vtu"), "--quiet", "--report", path("failed.html"));
 const sample = ["prostate", "prostate_zones", "prostate_followup"].map((name) => path(`sample/${name}.nrrd`));
