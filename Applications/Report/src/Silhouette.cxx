@@ -16,7 +16,7 @@ namespace
 
 constexpr int    picture = 96; ///< squares along a side, with an empty one around the mesh
 constexpr double margin = 0.7; ///< a point on the outline may be so far from it when it is left out [squares]
-constexpr double begin = 1.25; ///< of the mesh in the picture; no end of it is the middle of a square [squares]
+constexpr double begin = 1.02; ///< of the mesh in the picture, of which it fills whole squares [squares]
 
 using Point = std::array<double, 2>;
 using Square = std::array<int, 2>;
@@ -34,7 +34,7 @@ public:
       m_Low = { std::min(m_Low[0], node.x()), std::min(m_Low[1], node.z()) };
       high = { std::max(high[0], node.x()), std::max(high[1], node.z()) };
     }
-    m_Side = std::max({ high[0] - m_Low[0], high[1] - m_Low[1], 1e-9 }) / (picture - 3);
+    m_Side = std::max({ high[0] - m_Low[0], high[1] - m_Low[1], 1e-9 }) / (picture - 2.0 * begin);
     for (const Quadrilateral & quad : boundaryQuads(mesh))
     {
       const auto at = [&](std::size_t corner) { return inSquares(mesh.nodes[quad[corner]]); };

@@ -24,7 +24,7 @@ export function roundMarks(low, high, parts) {
   const step = decade * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
   const marks = [];
   for (let n = Math.ceil(low / step - 1e-9); n * step <= high + 1e-9 * span; ++n) {
-    marks.push(n * step);
+    marks.push(n * step + 0); // no negative zero
   }
   return marks;
 }
