@@ -77,7 +77,6 @@ private:
       return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     };
     const double area = cross(a, b, c);
-    bool         isSeen = false;
     const auto [left, right] = std::minmax({ a[0], b[0], c[0] });
     const auto [bottom, top] = std::minmax({ a[1], b[1], c[1] });
     for (int y = static_cast<int>(bottom); y <= static_cast<int>(top); ++y)
@@ -88,15 +87,7 @@ private:
         if (area != 0.0 && cross(a, b, p) * area >= 0.0 && cross(b, c, p) * area >= 0.0 && cross(c, a, p) * area >= 0.0)
         {
           m_Covered[place({ x, y })] = true;
-          isSeen = true;
         }
-      }
-    }
-    if (!isSeen) // smaller than a square
-    {
-      for (const Point & corner : { a, b, c })
-      {
-        m_Covered[place({ static_cast<int>(corner[0]), static_cast<int>(corner[1]) })] = true;
       }
     }
   }
@@ -106,13 +97,18 @@ private:
   std::array<bool, picture * picture> m_Covered{};
 };
 
-/** Corners of the squares around the covered ones, which lie on the left; from the lowest one on. */
+/** Empty where no square is covered. Corners of the squares around the covered ones, which lie on the left; from the
+ * lowest one on. */
 std::vector<Point>
 outlineOf(const Bitmap & bitmap)
 {
   Square start{ 0, 0 };
   while (!bitmap.covers(start))
   {
+    if (start[1] == picture)
+    {
+      return {};
+    }
     start = start[0] + 1 < picture ? Square{ start[0] + 1, start[1] } : Square{ 0, start[1] + 1 };
   }
   static constexpr std::array<Square, 4> steps{ { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } } };
@@ -175,7 +171,11 @@ silhouette(const HexMesh & mesh)
 {
   const Bitmap             bitmap(mesh);
   const std::vector<Point> corners = outlineOf(bitmap);
-  std::vector<bool>        isKept(corners.size(), false);
+  if (corners.empty())
+  {
+    return "";
+  }
+  std::vector<bool> isKept(corners.size(), false);
   isKept.front() = isKept.back() = true;
   keepFar(corners, 0, corners.size() - 1, isKept);
   std::string text;

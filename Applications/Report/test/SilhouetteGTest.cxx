@@ -80,3 +80,8 @@ TEST(Silhouette, OfABentSolidHasItsHollow)
   const double  pi = std::acos(-1.0);
   EXPECT_NEAR(areaOf(pointsOf(silhouette(mesh))), pi / 2.0 * (625.0 - 400.0), 0.25 * pi / 2.0 * 225.0);
 }
+
+TEST(Silhouette, OfAFlatMeshIsEmpty)
+{
+  EXPECT_EQ(silhouette(analytic::lattice(3, [](const Vector3 & i) { return Vector3(i[0], i[1], 0.0); })), "");
+}
