@@ -15,7 +15,7 @@ moserhex=$PWD/build/release/Applications/MoserHex/moserhex
 echo
 "$moserhex" sample "$results"
 echo
-"$moserhex" mesh "$results/prostate.nrrd" "$results/prostate.vtu" --report "$results/prostate.json"
+"$moserhex" mesh "$results/prostate.nrrd" "$results/prostate.vtu" --report "$results/prostate.html"
 echo
-echo "Open $results/prostate.vtu in ParaView or 3D Slicer. The same for your own labelmap:"
+echo "Open $results/prostate.html in a browser, and $results/prostate.vtu in ParaView or 3D Slicer. The same for your own labelmap:"
 echo "  $moserhex mesh YOUR.nii.gz OUTPUT.vtu"

@@ -79,18 +79,11 @@ linkTo(const std::string & page, const std::string & fromFile)
 
 } // namespace
 
-std::string
-summaryHeading(const std::string & folder)
-{
-  const fs::path path = fs::absolute(folder).lexically_normal();
-  return "Meshes in " + (path.has_filename() ? path : path.parent_path()).filename().string();
-}
-
 void
-writeSummaryPage(const std::string & fileName, const std::string & heading, const std::vector<SummaryRow> & rows)
+writeSummaryPage(const std::string & fileName, const std::vector<SummaryRow> & rows)
 {
   GroupContent content;
-  content.heading = heading;
+  content.heading = "Meshes of " + std::to_string(rows.size()) + (rows.size() == 1 ? " case" : " cases");
   content.subtitle = "Structured hexahedral meshes of many labelmaps";
   content.caseName = "case";
   content.version = version;

@@ -203,7 +203,7 @@ writeSummary(const CaseList & list, const BatchCommandOptions & options)
   writeGroupFigures(groupFiguresName(options), groupFigures(rows));
   if (pagesAreBuilt())
   {
-    writeSummaryPage(summaryPageName(options), summaryHeading(options.list.outputFolder), rows);
+    writeSummaryPage(summaryPageName(options), rows);
   }
   if (!options.quiet)
   {

@@ -104,7 +104,7 @@ runCollectCommand(const CollectCommandOptions & options)
   writeGroupFigures(jsonFile, group);
   if (!pageFile.empty())
   {
-    writeSummaryPage(pageFile, summaryHeading(options.cases.outputFolder), rows);
+    writeSummaryPage(pageFile, rows);
   }
   for (const std::string & warning : list.warnings)
   {

@@ -24,6 +24,7 @@ using Outliers = std::vector<std::vector<int>>; ///< by column, then by row
 
 constexpr double      farFromMedian = 3.5;
 constexpr double      normalDeviation = 1.4826;
+constexpr std::size_t fewestForOutliers = 6;
 constexpr std::size_t mostNamed = 12; ///< failed and missing cases in the list of what to look at, and outliers
 
 bool
@@ -251,7 +252,7 @@ outliersOf(const GroupContent & content, std::size_t column)
 {
   std::vector<int>    marks(content.rows.size(), 0);
   std::vector<double> values = valuesOf(content, column);
-  if (values.empty())
+  if (values.size() < fewestForOutliers)
   {
     return marks;
   }

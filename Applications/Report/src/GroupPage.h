@@ -44,7 +44,8 @@ struct GroupContent
 
 /** Cases whose number in a column is far from the others': |x - median| > 3.5 * 1.4826 * MAD over the rows that are
  * done (MAD: median absolute deviation, 1.4826 makes it a standard deviation where values are normal; Iglewicz and
- * Hoaglin 1993). None where more than half of the values are the same. \return for every row +1 above, -1 below, 0 */
+ * Hoaglin 1993). None among fewer than six, and none where more than half of the values are the same.
+ * \return for every row +1 above, -1 below, 0 */
 [[nodiscard]] std::vector<int>
 outliersOf(const GroupContent & content, std::size_t column);
 

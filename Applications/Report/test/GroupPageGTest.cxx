@@ -49,15 +49,16 @@ TEST(Outliers, LieBeyondThreeAndAHalfRobustDeviations)
 
 TEST(Outliers, AreNoneAmongEqualNumbersAndUnknownOnes)
 {
-  EXPECT_EQ(outliersOf(groupOf({ 1, 1, 1, 5 }), 0), std::vector<int>(4, 0));
+  EXPECT_EQ(outliersOf(groupOf({ 1, 1, 1, 1, 1, 1, 5 }), 0), std::vector<int>(7, 0));
+  EXPECT_EQ(outliersOf(groupOf({ 9, 10, 11, 9.5, 1000 }), 0), std::vector<int>(5, 0)); // too few
   EXPECT_EQ(outliersOf(groupOf({ std::nan(""), std::nan("") }), 0), std::vector<int>(2, 0));
 }
 
 TEST(Outliers, FailedCasesAreNone)
 {
-  GroupContent content = groupOf({ 9, 10, 11, 9.5, 1000 });
+  GroupContent content = groupOf({ 9, 10, 11, 9.5, 10, 9, 1000 });
   content.rows.back().status = "failed";
-  EXPECT_EQ(outliersOf(content, 0), std::vector<int>(5, 0));
+  EXPECT_EQ(outliersOf(content, 0), std::vector<int>(7, 0));
 }
 
 TEST(GroupPage, HoldsItsRowsAndNamesWhatToLookAt)
@@ -66,16 +67,16 @@ TEST(GroupPage, HoldsItsRowsAndNamesWhatToLookAt)
   {
     GTEST_SKIP() << "MoserHex_BUILD_REPORTS is OFF";
   }
-  GroupContent content = groupOf({ 9, 10, 11, 9.5, 1000, std::nan("") });
+  GroupContent content = groupOf({ 9, 10, 11, 9.5, 1000, 10, 9, std::nan("") });
   content.rows.back().status = "failed";
   content.rows.back().code = "E_THIN";
   const std::string    page = groupPage(content);
   const nlohmann::json data = dataOf(page);
-  ASSERT_EQ(data["rows"].size(), 6u);
+  ASSERT_EQ(data["rows"].size(), 8u);
   EXPECT_EQ(data["rows"][4]["marks"][0], 1);
-  EXPECT_TRUE(data["rows"][5]["figures"][0].is_null());
+  EXPECT_TRUE(data["rows"][7]["figures"][0].is_null());
   EXPECT_NE(page.find("<strong>c4</strong>: volume (mL) above the others"), std::string::npos);
-  EXPECT_NE(page.find("<strong>c5</strong>: failed E_THIN"), std::string::npos);
+  EXPECT_NE(page.find("<strong>c7</strong>: failed E_THIN"), std::string::npos);
   EXPECT_EQ(page, groupPage(content));
 }
 

@@ -104,6 +104,7 @@ export function startViewer() {
   });
   element("half-view").addEventListener("click", () => {
     cutInHalf();
+    scene.lookFrom("A");
     update();
   });
   scene.resize();
