@@ -61,7 +61,8 @@ controls(const HexMesh & mesh, const std::vector<CellField> & fields)
          "data-view=\"A\">Front</button><button type=\"button\" data-view=\"P\">Back</button><button type=\"button\" "
          "data-view=\"R\">Right</button><button type=\"button\" data-view=\"L\">Left</button><button type=\"button\" "
          "data-view=\"S\">Top</button><button type=\"button\" data-view=\"I\">Bottom</button></div><div "
-         "class=\"buttons\"><button type=\"button\" id=\"half-view\">Half of it</button><button type=\"button\" id=\"whole-view\">Whole "
+         "class=\"buttons\"><button type=\"button\" id=\"half-view\">Half of it</button><button type=\"button\" "
+         "id=\"whole-view\">Whole "
          "mesh</button></div></fieldset>\n</div>\n";
 }
 
