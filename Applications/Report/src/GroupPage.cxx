@@ -180,7 +180,7 @@ histogramsSection(const GroupContent & content)
       continue;
     }
     const auto [least, most] = std::minmax_element(field.values.begin(), field.values.end());
-    const double room = *most > *least ? 0.0 : std::max(0.05 * std::abs(*most), 1e-6);
+    const double room = *most > *least ? 0.0 : *most == 0.0 ? 1.0 : 0.05 * std::abs(*most);
     field.shown = { *least - room, *most + room };
     html += "<div class=\"measure\"><h3>" + escapeHtml(field.name) + "</h3>\n" + histogramSvg(field) +
             distributionList(field) + "</div>\n";
