@@ -1,7 +1,7 @@
 # Shared by demo.sh, test.sh and .ci/run: sourced, not run. Debian 12 package names live here and nowhere else.
 
 packages="build-essential ca-certificates ccache cmake git ninja-build
-  libcli11-dev libeigen3-dev libexpat1-dev libgtest-dev libinsighttoolkit5-dev libkissfft-dev libvtk9-dev nlohmann-json3-dev"
+  libcairo2-dev libcli11-dev libeigen3-dev libexpat1-dev libgtest-dev libinsighttoolkit5-dev libkissfft-dev libvtk9-dev nlohmann-json3-dev"
 
 # The HTML reports are bundled with npm. A Node.js from elsewhere brings it along, and Debian's packages conflict with that one.
 if ! command -v npm > /dev/null; then

@@ -2,7 +2,8 @@
 # Included by the build and by the installed package file.
 set(MoserHex_ITK_COMPONENTS
   ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOMeta ITKIOMeshBase ITKLevelSets ITKFiniteDifference
-  ITKImageFilterBase ITKMesh ITKTransform)
+  ITKImageFilterBase ITKMesh ITKTransform ITKIOTransformBase ITKIOTransformInsightLegacy ITKIOTransformHDF5
+  ITKIOTransformMatlab)
 # Debian's ITK prints a screen of messages about GDCM files it does not need; they mean nothing here.
 set(moserhex_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL ERROR)

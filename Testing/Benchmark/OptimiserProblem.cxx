@@ -1,5 +1,7 @@
 #include "OptimiserProblem.h"
 
+#include "moserhex/Geometry/HexMeshNumbering.h"
+
 #include <Eigen/LU>
 
 #include <cmath>
@@ -37,7 +39,7 @@ Problem::Problem(const Case & organ, const HexMesh & lattice)
   : m_Phi(*organ.phi)
   , m_Origin(centroid(lattice.nodes))
   , m_Unit(std::cbrt(organ.volume / static_cast<double>(lattice.cellCount())))
-  , m_Optimiser(lattice.nodesPerSide,
+  , m_Optimiser(LatticeLayout(lattice.nodesPerSide),
                 scaled(m_Phi, m_Origin, m_Unit),
                 {},
                 static_cast<double>(lattice.cellCount()),
@@ -47,7 +49,7 @@ Problem::Problem(const Case & organ, const HexMesh & lattice)
                                            CubeTransform::Basis::Cosine,
                                            [](double eigenvalue) { return 1.0 / (eigenvalue + laplacianShift); }))
   , m_Targets(unitTargetVolumes(m_Layout))
-  , m_Quads(boundaryQuads(m_Layout.connectivity()))
+  , m_Quads(boundaryQuads(lattice))
   , m_Start(latticeVector(m_Layout, lattice.nodes, m_Origin, m_Unit))
 {
   m_Optimiser.attraction().freeze(m_Start);

@@ -1,5 +1,8 @@
 #include "EndToEnd.h"
 
+#include "PointFile.h"
+#include "moserhex/CubeTransfer/FieldFunction.h"
+#include "moserhex/HexMeshIO/FieldImageReader.h"
 #include "moserhex/HexMeshIO/HexCellReader.h"
 #include "moserhex/HexMeshIO/LabelImageReader.h"
 #include "moserhex/HexMeshIO/SurfaceReader.h"
@@ -135,6 +138,35 @@ readHexahedra(const std::string & fileName)
   return fingerprint.text();
 }
 
+/** Also what the command does first with it: its value in the middle. */
+std::string
+readField(const std::string & fileName)
+{
+  const FieldImage image = readFieldImage(fileName);
+  requireShortLines(image.warnings);
+  const FieldVolume & volume = image.volume;
+  std::vector<double> middle(static_cast<std::size_t>(volume.components));
+  const FieldFunction function(volume, image.hasValue, ImageInterpolation::Linear);
+  (void)function.evaluate(volume.point(volume.size[0] / 2, volume.size[1] / 2, volume.size[2] / 2), middle.data());
+  Fingerprint fingerprint;
+  fingerprint.add(volume.values.data(), volume.values.size() * sizeof(double));
+  fingerprint.add(image.hasValue.data(), image.hasValue.size());
+  fingerprint.add({ volume.spacing, volume.origin, volume.direction.col(0), volume.direction.col(1) });
+  return fingerprint.text();
+}
+
+std::string
+readPointList(const std::string & fileName)
+{
+  Fingerprint fingerprint;
+  for (const app::ListedPoint & point : app::readPoints(fileName).points)
+  {
+    fingerprint.add(point.label.data(), point.label.size());
+    fingerprint.add({ point.position.value_or(Vector3::Zero()), point.cube.value_or(Vector3::Zero()) });
+  }
+  return fingerprint.text();
+}
+
 std::string
 read(const std::string & fileName, SeedUse use, bool withPipeline)
 {
@@ -146,6 +178,10 @@ read(const std::string & fileName, SeedUse use, bool withPipeline)
       return readTriangles(fileName, withPipeline);
     case SeedUse::Hexahedra:
       return readHexahedra(fileName);
+    case SeedUse::Field:
+      return readField(fileName);
+    case SeedUse::Points:
+      return readPointList(fileName);
   }
   return {};
 }

@@ -20,8 +20,9 @@ struct EndToEndResult
   std::string text; ///< the message, what was found, or a fingerprint of all that was read
 };
 
-/** What the commands do with an input file: read it, take a label's voxels and their topology, voxelise, or measure the
- * quality of hexahedra; then, when asked for, the whole pipeline with three shells. Throws nothing. */
+/** What the commands do with an input file: read it, take a label's voxels and their topology, voxelise, measure the
+ * quality of hexahedra, take a field's value, or list points; then, of labels and surfaces and when asked for, the
+ * whole pipeline with three shells. Throws nothing. */
 [[nodiscard]] EndToEndResult
 readEndToEnd(const std::string & fileName, SeedUse use, bool withPipeline);
 

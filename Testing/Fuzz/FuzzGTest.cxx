@@ -107,4 +107,6 @@ TEST(Fuzz, RefusalIsNoFinding)
   EXPECT_EQ(readEndToEnd("/nonexistent/a.off", SeedUse::Surface, false).answer, Answer::Refused);
   EXPECT_EQ(readEndToEnd("/nonexistent/a.nrrd", SeedUse::Labelmap, false).answer, Answer::Refused);
   EXPECT_EQ(readEndToEnd("/nonexistent/a.msh", SeedUse::Hexahedra, false).answer, Answer::Refused);
+  EXPECT_EQ(readEndToEnd("/nonexistent/a.nrrd", SeedUse::Field, false).answer, Answer::Refused);
+  EXPECT_EQ(readEndToEnd("/nonexistent/a.csv", SeedUse::Points, false).answer, Answer::Refused);
 }

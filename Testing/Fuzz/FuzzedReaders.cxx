@@ -1,7 +1,9 @@
 #include "FuzzedReaders.h"
 
+#include "ImageFile.h"
 #include "ImageFileCheck.h"
 #include "LegacyVtkCheck.h"
+#include "PointFile.h"
 #include "SurfaceCheck.h"
 #include "SurfaceFormats.h"
 #include "XmlVtkCheck.h"
@@ -19,6 +21,18 @@ void
 checkImage(const std::string & fileName)
 {
   (void)checkImageFile(fileName, format);
+}
+
+/** Several numbers per voxel; those that ITK does not rearrange, by our own code. */
+template <ImageFormat format>
+void
+readField(const std::string & fileName)
+{
+  const ImageDescription image = checkImageFile(fileName, format, VoxelContent::ManyValues);
+  if (!image.layout.isPlain())
+  {
+    (void)rearrangedValues(image);
+  }
 }
 
 template <RawSurface (*read)(const std::string &)>
@@ -41,6 +55,12 @@ checkXml(const std::string & fileName)
 }
 
 void
+readPointList(const std::string & fileName)
+{
+  (void)app::readPoints(fileName);
+}
+
+void
 readCells(const std::string & fileName)
 {
   (void)readHexCells(fileName);
@@ -56,6 +76,9 @@ fuzzedReaders()
     { "nifti", ".nii", checkImage<ImageFormat::Nifti> },
     { "nifti_gz", ".nii.gz", checkImage<ImageFormat::Nifti> },
     { "meta", ".mha", checkImage<ImageFormat::Meta> },
+    { "field_nrrd", ".nrrd", readField<ImageFormat::Nrrd> },
+    { "field_nifti", ".nii", readField<ImageFormat::Nifti> },
+    { "field_meta", ".mha", readField<ImageFormat::Meta> },
     { "stl", ".stl", readTriangles<readStl> },
     { "obj", ".obj", readTriangles<readObj> },
     { "ply", ".ply", readTriangles<readPly> },
@@ -67,6 +90,9 @@ fuzzedReaders()
     { "gmsh", ".msh", readCells },
     { "medit", ".mesh", readCells },
     { "abaqus", ".inp", readCells },
+    { "points_fcsv", ".fcsv", readPointList },
+    { "points_json", ".mrk.json", readPointList },
+    { "points_csv", ".csv", readPointList },
   };
   return readers;
 }

@@ -35,4 +35,10 @@ addSurfaces(std::vector<Seed> & seeds);
 void
 addMeshes(std::vector<Seed> & seeds);
 
+void
+addFields(std::vector<Seed> & seeds);
+
+void
+addPoints(std::vector<Seed> & seeds);
+
 } // namespace moserhex::fuzz

@@ -127,6 +127,8 @@ makeSeeds()
   addImages(seeds);
   addSurfaces(seeds);
   addMeshes(seeds);
+  addFields(seeds);
+  addPoints(seeds);
   return seeds;
 }
 

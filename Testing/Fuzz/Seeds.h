@@ -10,7 +10,9 @@ enum class SeedUse
 {
   Labelmap,
   Surface,
-  Hexahedra
+  Hexahedra,
+  Field, ///< an image of several numbers per voxel
+  Points
 };
 
 struct SeedFile
@@ -29,7 +31,7 @@ struct Seed
 };
 
 /** Small valid files of every format that the library reads: a labelled ball of 12^3 voxels, triangulated cubes and
- * spheres, hexahedral blocks. The same bytes every time.
+ * spheres, hexahedral blocks, vectors and tensors on 5^3 voxels, lists of points. The same bytes every time.
  * \throws std::runtime_error  the temporary folder cannot be used */
 [[nodiscard]] std::vector<Seed>
 makeSeeds();

@@ -1,21 +1,18 @@
 #include "AtlasFiles.h"
 
 #include "AtlasPage.h"
+#include "AtlasTestFiles.h"
 #include "MeanLabelmap.h"
-#include "NumberText.h"
 #include "PageName.h"
+#include "TransferFiles.h"
 #include "Version.h"
-#include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/LabelImageWriter.h"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <numeric>
 
 namespace moserhex::app
 {
@@ -24,19 +21,10 @@ namespace
 using Json = nlohmann::ordered_json;
 using Cells = std::vector<std::string>;
 
-constexpr double modeDeviations = 3.0;
-constexpr double level = 0.05; ///< at which the summary counts nodes
-
 std::string
 inFolder(const AtlasOptions & options, const std::string & name)
 {
   return options.outputFolder + "/" + name;
-}
-
-NamedArray
-scalarsOf(const std::string & name, const Eigen::VectorXd & values)
-{
-  return { name, 1, std::vector<double>(values.data(), values.data() + values.size()) };
 }
 
 /** Node by node: root of the covariance's trace, and the covariance as a symmetric tensor. */
@@ -61,36 +49,25 @@ writeMean(const AtlasResult & result, const AtlasOptions & options)
   writeHexMesh(inFolder(options, "mean.vtu"), result.mean.mesh, fields);
 }
 
-/** The mean changed along the first modes; their figures for the summary. */
-std::vector<ModeMesh>
-writeModes(const AtlasResult & result, const AtlasOptions & options)
+/** The mean image and its deviation in the cube. */
+void
+writeCubeImages(const MeanImage & images, const AtlasOptions & options)
 {
-  std::vector<ModeMesh> meshes;
-  const std::size_t     modes = std::min(options.modeMeshes, static_cast<std::size_t>(result.model.shape.modes.cols()));
-  for (std::size_t mode = 0; mode < modes; ++mode)
+  writeFieldImage(inFolder(options, "mean_image_cube.nrrd"), images.mean, valuesOf({}, images.mean));
+  writeFieldImage(inFolder(options, "sd_image_cube.nrrd"), images.deviation);
+}
+
+/** The mean's labelmap and, on its voxels, the mean image. */
+void
+writeTemplate(const AtlasResult & result, const AtlasOptions & options)
+{
+  const LabelVolume labels = voxelised(result.mean.mesh, options.labelSpacing, options.threads);
+  writeLabelImage(inFolder(options, "template.nrrd"), labels);
+  if (result.images)
   {
-    for (const double sign : { 1.0, -1.0 })
-    {
-      std::array<char, 64> name{};
-      std::snprintf(name.data(), name.size(), "mode-%02zu-%s3.vtu", mode + 1, sign > 0.0 ? "plus" : "minus");
-      const HexMesh mesh = meshOf(result.model, shapeAlongMode(result.model.shape, mode, sign * modeDeviations));
-      HexMeshFields fields;
-      const HexMesh mean = meshOf(result.model, result.model.shape.mean);
-      NamedArray    move{ "Displacement", 3, {} };
-      for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-      {
-        const Vector3 d = mesh.nodes[node] - mean.nodes[node];
-        move.values.insert(move.values.end(), d.data(), d.data() + 3);
-      }
-      fields.pointArrays = { move };
-      writeHexMesh(inFolder(options, name.data()), mesh, fields);
-      const auto volumes = cellVolumes(mesh);
-      meshes.push_back({ name.data(),
-                         std::accumulate(volumes.begin(), volumes.end(), 0.0),
-                         mesh.cellCount() - certifyCells(mesh, {}, options.threads).positive });
-    }
+    const FieldVolume image = imageInMesh(result.images->mean, result.mean.mesh, labels, options.threads);
+    writeFieldImage(inFolder(options, "mean_image.nrrd"), image, valuesOf({}, image));
   }
-  return meshes;
 }
 
 void
@@ -117,106 +94,8 @@ writeQuality(const AtlasResult & result, const AtlasOptions & options)
   writeTextFile(inFolder(options, "model_quality.csv"), text);
 }
 
-/** Cohen's D where there are groups, else the partial correlation. */
-const Eigen::VectorXd &
-effectSizes(const AtlasTest & test)
-{
-  return test.groups.empty() ? test.result.partialCorrelation : test.result.standardisedDifference;
-}
-
-void
-writeTestMesh(const AtlasTest & test, const HexMesh & mean, const AtlasOptions & options)
-{
-  const Eigen::MatrixXd & slope = test.result.slope;
-  HexMeshFields           fields;
-  fields.pointArrays = {
-    { test.groups.empty() ? "Slope" : "Difference", 3, std::vector<double>(slope.data(), slope.data() + slope.size()) },
-    scalarsOf("T2", test.result.statistic),
-    scalarsOf("P", test.result.p),
-    scalarsOf("PFamilyWise", test.result.pFamilyWise),
-    scalarsOf("QFalseDiscovery", test.result.qFalseDiscovery),
-    scalarsOf("PartialCorrelation", test.result.partialCorrelation)
-  };
-  if (!test.groups.empty())
-  {
-    fields.pointArrays.push_back(scalarsOf("EffectSize", test.result.standardisedDifference));
-  }
-  writeHexMesh(inFolder(options, test.name + ".vtu"), mean, fields);
-}
-
-void
-writeTestTable(const AtlasTest & test, const HexMesh & mean, const AtlasOptions & options)
-{
-  const std::string change = test.groups.empty() ? "slope" : "difference";
-  std::string       text = tableLine({ "node",
-                                       "i",
-                                       "j",
-                                       "k",
-                                       "x",
-                                       "y",
-                                       "z",
-                                       change + "_x",
-                                       change + "_y",
-                                       change + "_z",
-                                       "t2",
-                                       "p",
-                                       "p_family_wise",
-                                       "q_false_discovery",
-                                 test.groups.empty() ? "partial_correlation" : "effect_size" },
-                               ',');
-  const auto        indices = nodeIndices(mean);
-  for (std::size_t node = 0; node < mean.nodes.size(); ++node)
-  {
-    const auto place = static_cast<Eigen::Index>(node);
-    Cells      cells{ std::to_string(node) };
-    for (const int index : indices[node].lattice)
-    {
-      cells.push_back(std::to_string(index));
-    }
-    for (const Vector3 & vector : { mean.nodes[node], Vector3(test.result.slope.col(place)) })
-    {
-      for (const double value : { vector[0], vector[1], vector[2] })
-      {
-        cells.push_back(numberText(value));
-      }
-    }
-    for (const double value : { test.result.statistic[place],
-                                test.result.p[place],
-                                test.result.pFamilyWise[place],
-                                test.result.qFalseDiscovery[place],
-                                effectSizes(test)[place] })
-    {
-      cells.push_back(numberText(value));
-    }
-    text += tableLine(cells, ',');
-  }
-  writeTextFile(inFolder(options, test.name + ".csv"), text);
-}
-
 Json
-testJson(const AtlasTest & test)
-{
-  Json json{ { "column", test.column },
-             { "covariates", test.covariates },
-             { "subjects", test.subjects.size() },
-             { "permutations", test.result.permutations },
-             { "exact", test.result.isExact },
-             { "degrees_of_freedom", test.result.degreesOfFreedom },
-             { "smallest_p", test.result.p.minCoeff() },
-             { "smallest_p_family_wise", test.result.pFamilyWise.minCoeff() },
-             { "nodes_p_family_wise_005", (test.result.pFamilyWise.array() <= level).count() },
-             { "nodes_q_false_discovery_005", (test.result.qFalseDiscovery.array() <= level).count() },
-             { "largest_effect_size", effectSizes(test).maxCoeff() } };
-  if (!test.groups.empty())
-  {
-    json["groups"] = test.groups;
-    json["group_sizes"] = test.groupSizes;
-  }
-  return json;
-}
-
-Json
-meanJson(const MeanMeshResult & mean)
+meanJson(const EqualVolumeShape & mean)
 {
   return { { "volume_ml", mean.volume / 1000.0 },
            { "exact", mean.exact },
@@ -224,13 +103,14 @@ meanJson(const MeanMeshResult & mean)
            { "volume_variance", mean.varianceAfter },
            { "certified_cells", mean.certified.positive },
            { "cells", mean.mesh.cellCount() },
-           { "reworked", mean.reworked },
+           { "reworked", mean.way != EqualVolumeWay::Projection },
            { "mean_move_mm", mean.meanMove },
-           { "largest_move_mm", mean.largestMove } };
+           { "largest_move_mm", mean.largestMove },
+           { "boundary_distance_mm", mean.boundaryDistance } };
 }
 
 Json
-modelJson(const AtlasModel & model, const std::vector<ModeMesh> & meshes)
+modelJson(const AtlasModel & model, const std::vector<ModeMeshFigures> & meshes)
 {
   Json   json{ { "modes", model.shape.modes.cols() }, { "total_variance_mm2", model.shape.totalVariance } };
   double held = 0.0;
@@ -244,16 +124,35 @@ modelJson(const AtlasModel & model, const std::vector<ModeMesh> & meshes)
     json["cumulative"].push_back(held / model.shape.totalVariance);
   }
   json["meshes"] = Json::array();
-  for (const ModeMesh & mesh : meshes)
+  for (const ModeMeshFigures & mesh : meshes)
   {
-    json["meshes"].push_back(
-      { { "file", mesh.file }, { "volume_ml", mesh.volume / 1000.0 }, { "uncertified_cells", mesh.uncertified } });
+    Json entry{ { "file", mesh.file },
+                { "standard_deviations", mesh.deviations },
+                { "exact", mesh.deviations != 0.0 } };
+    if (mesh.deviations != 0.0)
+    {
+      entry["volume_ml"] = mesh.volume / 1000.0;
+      entry["volume_variance"] = mesh.volumeVariance;
+      entry["boundary_distance_mm"] = mesh.boundaryDistance;
+    }
+    entry["attempts"] = mesh.attempts;
+    json["meshes"].push_back(entry);
   }
   return json;
 }
 
+Json
+imagesJson(const MeanImage & images, const AtlasOptions & options)
+{
+  return { { "column", options.images },
+           { "sampling", options.imageSampling },
+           { "normalised", options.normaliseImages },
+           { "subjects", images.subjects },
+           { "left_out", images.leftOut } };
+}
+
 void
-writeSummary(const AtlasResult & result, const AtlasOptions & options, const std::vector<ModeMesh> & meshes)
+writeSummary(const AtlasResult & result, const AtlasOptions & options)
 {
   Json json{ { "moserhex", version },
              { "coordinate_system", "LPS" },
@@ -268,7 +167,11 @@ writeSummary(const AtlasResult & result, const AtlasOptions & options, const std
                  { "deviation_mm", result.alignment.deviation },
                  { "mean_centroid_size_mm", result.alignment.size } } },
              { "mean", meanJson(result.mean) },
-             { "model", modelJson(result.model, meshes) } };
+             { "model", modelJson(result.model, result.modeMeshes) } };
+  if (result.images)
+  {
+    json["images"] = imagesJson(*result.images, options);
+  }
   json["tests"] = Json::object();
   for (const AtlasTest & test : result.tests)
   {
@@ -314,11 +217,13 @@ void
 writeAtlas(const AtlasResult & result, const AtlasOptions & options)
 {
   writeMean(result, options);
-  const std::vector<ModeMesh> modes = writeModes(result, options);
+  if (result.images)
+  {
+    writeCubeImages(*result.images, options);
+  }
   if (options.labelSpacing > 0.0 && result.model.paddingLayers == 0)
   {
-    writeLabelImage(inFolder(options, "template.nrrd"),
-                    voxelised(result.mean.mesh, options.labelSpacing, options.threads));
+    writeTemplate(result, options);
   }
   writeScores(inFolder(options, "scores.csv"),
               result.subjects,
@@ -330,13 +235,12 @@ writeAtlas(const AtlasResult & result, const AtlasOptions & options)
   writeQuality(result, options);
   for (const AtlasTest & test : result.tests)
   {
-    writeTestMesh(test, result.mean.mesh, options);
-    writeTestTable(test, result.mean.mesh, options);
+    writeAtlasTest(options.outputFolder, test, result.mean.mesh);
   }
-  writeSummary(result, options, modes);
+  writeSummary(result, options);
   if (pagesAreBuilt())
   {
-    writeAtlasPage(inFolder(options, "atlas.html"), result);
+    writeAtlasPage(inFolder(options, "atlas.html"), result, options);
   }
 }
 

@@ -7,16 +7,8 @@
 namespace moserhex::app
 {
 
-/** What the meshes of modes are like. */
-struct ModeMesh
-{
-  std::string file;             ///< below the output folder
-  double      volume{ 0.0 };    ///< [mm^3]
-  std::size_t uncertified{ 0 }; ///< cells that are not certified
-};
-
 /** Writes the files of an atlas into the output folder, each complete or not at all; Documentation/Atlas.md describes
- * them. \throws IOError */
+ * them. The meshes of modes are there already (writeModeMeshes). \throws IOError */
 void
 writeAtlas(const AtlasResult & result, const AtlasOptions & options);
 

@@ -21,11 +21,15 @@ struct AtlasOptions
   std::size_t   modeMeshes{ 5 };          ///< modes whose meshes are written, at most
   std::size_t   samples{ 1000 };          ///< of the model, for specificity
 
-  std::string              group;      ///< column with two values; empty: no comparison of groups
+  std::string              group;      ///< column of groups; empty: no comparison of groups
   std::string              regressor;  ///< column of numbers; empty: no regression
   std::vector<std::string> covariates; ///< columns, nuisance of both tests; not of that of itself
   std::size_t              permutations{ 10000 };
   std::uint64_t            seed{ 1 };
+
+  std::string images;                   ///< column of image files; empty: no mean image
+  std::string imageSampling{ "cells" }; ///< of the cube: "cells", "nodes", or a number of boxes along each axis
+  bool        normaliseImages{ false }; ///< to mean 0 and standard deviation 1 in each organ
 
   double      labelSpacing{ 1.0 }; ///< voxel side of the template's labelmap; 0: none is written [mm]
   std::string projectOnto;         ///< model file: the inputs are not analysed, but projected onto it

@@ -1,12 +1,16 @@
 #include "AtlasPage.h"
 
+#include "AtlasCellFields.h"
 #include "GroupPage.h"
+#include "HtmlTable.h"
 #include "HtmlText.h"
+#include "ImagePicture.h"
+#include "MeanLabelmap.h"
 #include "PageFrame.h"
 #include "Version.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace moserhex::app
 {
@@ -15,30 +19,20 @@ namespace
 
 constexpr Eigen::Index mostModes = 6; ///< columns of the table
 
-constexpr double level = 0.05; ///< at which nodes are counted
+constexpr int picturesSide = 96; ///< voxels of the mean image's slices along the longest side of the mean
 
+/** "-2.5 to +3": what the meshes of a mode show, in standard deviations. */
 std::string
-tableOf(const std::string &                           caption,
-        const std::vector<std::string> &              columns,
-        const std::vector<std::vector<std::string>> & rows)
+shownDeviations(const AtlasResult & result, std::size_t mode)
 {
-  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption +
-                     "\"><table><caption>" + caption + "</caption><thead><tr>";
-  for (const std::string & column : columns)
+  if (2 * mode + 1 >= result.modeMeshes.size())
   {
-    html += "<th scope=\"col\">" + column + "</th>";
+    return "&ndash;";
   }
-  html += "</tr></thead><tbody>\n";
-  for (const std::vector<std::string> & row : rows)
-  {
-    html += "<tr>";
-    for (std::size_t cell = 0; cell < row.size(); ++cell)
-    {
-      html += cell == 0 ? "<th scope=\"row\">" + row[cell] + "</th>" : "<td>" + row[cell] + "</td>";
-    }
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
+  const double down = result.modeMeshes[2 * mode + 1].deviations;
+  const double up = result.modeMeshes[2 * mode].deviations;
+  return (down == 0.0 ? "none" : "&minus;" + shortNumber(-down)) + " to " +
+         (up == 0.0 ? "none" : "+" + shortNumber(up));
 }
 
 std::string
@@ -57,6 +51,7 @@ modelSection(const AtlasResult & result)
     const bool               isKnown = place < result.quality.generalisation.size();
     row.push_back(isKnown ? shortNumber(result.quality.generalisation[place]) : "&ndash;");
     row.push_back(isKnown ? shortNumber(result.quality.specificity[place]) : "&ndash;");
+    row.push_back(shownDeviations(result, place));
     rows.push_back(row);
   }
   return section("model",
@@ -65,9 +60,29 @@ modelSection(const AtlasResult & result)
                    (result.mean.exact ? "all its cells have the same volume and are certified." : "it is NOT exact.") +
                    " Subjects lie " + shortNumber(result.alignment.deviation) +
                    " mm from it (root mean square over the nodes).</p>\n" +
-                   tableOf("Modes, the first holds most of the variance",
-                           { "Mode", "Variance (%)", "Together (%)", "Generalisation (mm)", "Specificity (mm)" },
-                           rows));
+                   tableText("Modes, the first holds most of the variance",
+                             { "Mode",
+                               "Variance (%)",
+                               "Together (%)",
+                               "Generalisation (mm)",
+                               "Specificity (mm)",
+                               "Meshes show (standard deviations)" },
+                             rows) +
+                   "<p class=\"hint\">A mesh of a mode shows three standard deviations, or fewer where three are no "
+                   "possible shape; the file's name says plus3 or minus3 all the same.</p>\n");
+}
+
+/** The farthest that a node moved, of each change. */
+std::string
+largestChanges(const AtlasTest & test)
+{
+  std::string text;
+  for (const NodeChange & change : changesOf(test))
+  {
+    text += (text.empty() ? "" : ", ") + (change.group.empty() ? "" : escapeHtml(change.group) + " ") +
+            shortNumber(change.moves.colwise().norm().maxCoeff());
+  }
+  return text + (test.groups.empty() ? " mm per unit" : " mm");
 }
 
 std::string
@@ -76,52 +91,89 @@ testsSection(const AtlasResult & result)
   std::vector<std::vector<std::string>> rows;
   for (const AtlasTest & test : result.tests)
   {
-    const std::string what =
-      test.groups.empty() ? test.column : test.column + ": " + test.groups[1] + " against " + test.groups[0];
-    rows.push_back({ escapeHtml(what),
+    std::string covariates;
+    for (const std::string & covariate : test.covariates)
+    {
+      covariates += (covariates.empty() ? "" : ", ") + escapeHtml(covariate);
+    }
+    rows.push_back({ escapeHtml(describe(test)),
                      std::to_string(test.subjects.size()),
-                     std::to_string(test.result.permutations),
+                     covariates.empty() ? "none" : covariates,
+                     std::to_string(test.result.permutations) + (test.result.isExact ? ", all orders" : ""),
                      shortNumber(test.result.pFamilyWise.minCoeff()),
-                     std::to_string((test.result.pFamilyWise.array() <= level).count()),
-                     std::to_string((test.result.qFalseDiscovery.array() <= level).count()) });
+                     std::to_string(nodesAtLevel(test.result.pFamilyWise)),
+                     std::to_string(nodesAtLevel(test.result.qFalseDiscovery)),
+                     shortNumber(effectSizes(test).maxCoeff()),
+                     largestChanges(test) });
   }
-  return rows.empty() ? ""
-                      : section("tests",
-                                "Tests at every node",
-                                tableOf("Report the family-wise p",
-                                        { "Test",
-                                          "Subjects",
-                                          "Permutations",
-                                          "Smallest p, family-wise",
-                                          "Nodes at 0.05, family-wise",
-                                          "Nodes at 0.05, false discovery" },
-                                        rows));
+  if (rows.empty())
+  {
+    return "";
+  }
+  return section("tests",
+                 "Tests at every node",
+                 "<p>Where it is, the picture in three dimensions shows: colour it by family-wise p, effect size or "
+                 "change.</p>\n" +
+                   tableText("Report the family-wise p",
+                             { "Test",
+                               "Subjects",
+                               "Covariates",
+                               "Permutations",
+                               "Smallest p, family-wise",
+                               "Nodes at 0.05, family-wise",
+                               "Nodes at 0.05, false discovery",
+                               "Largest effect size",
+                               "Largest change" },
+                             rows));
 }
 
-/** The mean over a cell's nodes of the subjects' standard deviation there. */
-CellField
-deviationField(const AtlasResult & result)
+std::string
+imagesSection(const AtlasResult & result, const AtlasOptions & options)
 {
-  CellField field;
-  field.id = "deviation";
-  field.name = "Standard deviation (mm)";
-  for (std::size_t cell = 0; cell < result.mean.mesh.cellCount(); ++cell)
+  if (!result.images)
   {
-    double sum = 0.0;
-    for (const std::size_t node : result.mean.mesh.cellNodes(cell))
-    {
-      sum += std::sqrt(result.covariances[node].trace());
-    }
-    field.values.push_back(sum / 8.0);
+    return "";
   }
-  field.shown = { 0.0, *std::max_element(field.values.begin(), field.values.end()) };
-  return field;
+  const MeanImage & images = *result.images;
+  const HexMesh &   mesh = result.mean.mesh;
+  Vector3           low = mesh.nodes.front();
+  Vector3           high = mesh.nodes.front();
+  for (const Vector3 & node : mesh.nodes)
+  {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  const LabelVolume organ = voxelised(mesh, (high - low).maxCoeff() / picturesSide, options.threads);
+  const auto        figures = [&](const FieldVolume & cube, const std::string & name, const std::string & id) {
+    const FieldVolume      image = imageInMesh(cube, mesh, organ, options.threads);
+    const CellField::Range range = rangeInOrgan(image, organ);
+    return "<h3>" + name + ", " + shortNumber(range.low) + " (black) to " + shortNumber(range.high) +
+           " (white)</h3>\n<div class=\"slices\">" + pictureFigures(image, organ, name, id) + "</div>\n";
+  };
+  std::string leftOut;
+  for (const std::string & name : images.leftOut)
+  {
+    leftOut += (leftOut.empty() ? " Left out, for the reasons above: " : ", ") + escapeHtml(name);
+  }
+  return section("images",
+                 "Mean image",
+                 "<p>Mean of " + std::to_string(images.subjects) + " images (column " + escapeHtml(options.images) +
+                   (options.normaliseImages ? ", each made mean 0 and standard deviation 1 in its organ" : "") +
+                   "), carried to the cube by each subject's own mesh and shown in the mean organ." + leftOut +
+                   (leftOut.empty() ? "" : ".") +
+                   (images.mean.components > 1
+                      ? " The first of " + std::to_string(images.mean.components) + " numbers of a voxel."
+                      : "") +
+                   " The inside is where the outline puts it: a blurred mean or a large deviation may be anatomy that "
+                   "lies elsewhere.</p>\n" +
+                   figures(images.mean, "Mean", "image-mean") +
+                   figures(images.deviation, "Standard deviation over the subjects", "image-deviation"));
 }
 
 } // namespace
 
-void
-writeAtlasPage(const std::string & fileName, const AtlasResult & result)
+std::string
+atlasPage(const AtlasResult & result, const AtlasOptions & options)
 {
   const Eigen::Index modes = std::min(mostModes, result.scores.cols());
   GroupContent       content;
@@ -131,6 +183,7 @@ writeAtlasPage(const std::string & fileName, const AtlasResult & result)
   content.version = version;
   content.warnings = result.warnings;
   content.introduction = modelSection(result) + testsSection(result);
+  content.conclusion = imagesSection(result, options);
   content.columns = { { "volume", "volume (mL)", true, true },
                       { "size", "size (mm)", false, true },
                       { "distance", "distance to the mean (mm)", true, true } };
@@ -150,9 +203,14 @@ writeAtlasPage(const std::string & fileName, const AtlasResult & result)
     content.rows.push_back(row);
   }
   content.mesh = &result.mean.mesh;
-  content.fields = cellFieldsOf(result.mean.mesh, {});
-  content.fields.push_back(deviationField(result));
-  writeGroupPage(fileName, content);
+  content.fields = atlasCellFields(result);
+  return groupPage(content);
+}
+
+void
+writeAtlasPage(const std::string & fileName, const AtlasResult & result, const AtlasOptions & options)
+{
+  writeTextFile(fileName, atlasPage(result, options));
 }
 
 } // namespace moserhex::app

@@ -39,6 +39,10 @@ requireColumns(const AtlasSubjects & subjects, const AtlasOptions & options)
   {
     (void)numbersOfColumn(subjects, column);
   }
+  if (!options.images.empty())
+  {
+    requireImages(subjects, options);
+  }
 }
 
 ProcrustesResult
@@ -113,7 +117,10 @@ addWarnings(AtlasResult & result)
       result.warnings.push_back(test.name + ": " + std::to_string(left) + " subjects without a value are left out");
     }
   }
-  result.warnings.insert(result.warnings.end(), result.mean.shortcomings.begin(), result.mean.shortcomings.end());
+  for (const std::string & shortcoming : result.mean.shortcomings)
+  {
+    result.warnings.push_back("mean mesh: " + shortcoming);
+  }
 }
 
 } // namespace
@@ -130,9 +137,15 @@ analyse(const AtlasOptions & options, const std::function<void(double)> & progre
   result.figures = meshes.figures;
   result.warnings = meshes.warnings;
 
+  if (!options.images.empty())
+  {
+    result.images =
+      meanImage(result.subjects, meshes, options, [&](double fraction) { progress(0.3 + 0.2 * fraction); });
+    result.warnings.insert(result.warnings.end(), result.images->warnings.begin(), result.images->warnings.end());
+  }
   result.alignment = align(*meshes.nodes, options);
   result.distances = replaceByAligned(*meshes.nodes, result.alignment, options.threads);
-  progress(0.4);
+  progress(0.55);
   fitModel(result, *meshes.nodes, options);
   result.model.nodesPerSide = meshes.nodesPerSide;
   result.model.paddingLayers = meshes.paddingLayers;
@@ -140,11 +153,12 @@ analyse(const AtlasOptions & options, const std::function<void(double)> & progre
   result.model.size = result.alignment.size;
   result.model.subjects = meshes.nodes->subjects();
   result.covariances = pointCovariances(*meshes.nodes, options.threads);
-  progress(0.5);
-  result.mean = equalVolumeMean(meshOf(result.model, result.model.shape.mean), options.threads);
   progress(0.6);
+  result.mean =
+    equalVolumeShape(meshOf(result.model, result.model.shape.mean), { EqualVolumeWay::Free, options.threads });
+  progress(0.7);
   result.tests = runAtlasTests(result.subjects, *meshes.nodes, options);
-  progress(0.9);
+  progress(1.0);
   addWarnings(result);
   return result;
 }

@@ -94,6 +94,7 @@ void
 addTable(AtlasSubjects & subjects, const std::string & fileName)
 {
   subjects.table = readTextTable(fileName);
+  subjects.tableFolder = fs::path(fileName).parent_path().string();
   const TextTable & table = subjects.table;
   const std::size_t meshColumn = columnNumber(table, "mesh");
   const std::size_t nameColumn = columnNumber(table, "subject");
@@ -108,7 +109,7 @@ addTable(AtlasSubjects & subjects, const std::string & fileName)
     {
       throw BadInput(ErrorCode::Format, fileName, "no mesh in line " + std::to_string(row.line), "fill in or drop it");
     }
-    const fs::path path = fs::path(fileName).parent_path() / mesh;
+    const fs::path path = fs::path(subjects.tableFolder) / mesh;
     const bool     isNamed = nameColumn < table.columns.size() && !row.cells[nameColumn].empty();
     subjects.subjects.push_back({ isNamed ? row.cells[nameColumn] : withoutEnding(mesh), path.string() });
   }
@@ -185,6 +186,12 @@ cellsOf(const AtlasSubjects & subjects, const std::string & column)
   return cells;
 }
 
+bool
+areNumbers(const std::vector<std::string> & cells)
+{
+  return std::all_of(cells.begin(), cells.end(), [](const std::string & cell) { return numberOf(cell).has_value(); });
+}
+
 /** Different cells that are not missing, ascending: as numbers where all are numbers, else in the alphabet. */
 std::vector<std::string>
 differentCells(const std::vector<std::string> & cells)
@@ -194,7 +201,7 @@ differentCells(const std::vector<std::string> & cells)
     return !isMissing(cell);
   });
   std::vector<std::string> values(different.begin(), different.end());
-  if (std::all_of(values.begin(), values.end(), [](const std::string & cell) { return numberOf(cell).has_value(); }))
+  if (areNumbers(values))
   {
     std::sort(values.begin(), values.end(), [](const std::string & a, const std::string & b) {
       return *numberOf(a) < *numberOf(b);
@@ -233,10 +240,15 @@ numbersOfColumn(const AtlasSubjects & subjects, const std::string & column)
 {
   const auto cells = cellsOf(subjects, column);
   const auto different = differentCells(cells);
-  const bool areNumbers = std::all_of(
-    different.begin(), different.end(), [](const std::string & cell) { return numberOf(cell).has_value(); });
-  if (!areNumbers)
+  if (!areNumbers(different))
   {
+    if (different.size() != 2)
+    {
+      throw BadInput(ErrorCode::Format,
+                     column,
+                     std::to_string(different.size()) + " different values in the column, need 2 words or numbers",
+                     "choose another column or code it");
+    }
     return groupsOfColumn(subjects, column).numbers;
   }
   std::vector<std::optional<double>> numbers;
@@ -247,22 +259,36 @@ numbersOfColumn(const AtlasSubjects & subjects, const std::string & column)
   return numbers;
 }
 
+std::vector<std::optional<std::string>>
+filesOfColumn(const AtlasSubjects & subjects, const std::string & column)
+{
+  std::vector<std::optional<std::string>> files;
+  for (const std::string & cell : cellsOf(subjects, column))
+  {
+    files.push_back(isMissing(cell) ? std::nullopt
+                                    : std::optional<std::string>((fs::path(subjects.tableFolder) / cell).string()));
+  }
+  return files;
+}
+
 GroupColumn
 groupsOfColumn(const AtlasSubjects & subjects, const std::string & column)
 {
   const auto  cells = cellsOf(subjects, column);
   GroupColumn groups{ {}, differentCells(cells) };
-  if (groups.names.size() != 2)
+  if (groups.names.size() < 2 || (groups.names.size() > 2 && areNumbers(groups.names)))
   {
     throw BadInput(ErrorCode::Format,
                    column,
-                   std::to_string(groups.names.size()) + " different values in the column, need 2 groups or numbers",
-                   "choose another column or code it");
+                   std::to_string(groups.names.size()) + " different " +
+                     (areNumbers(groups.names) ? "numbers" : "values") +
+                     " in the column, need two groups, or more that are words",
+                   "choose another column, write the groups as words, or use --regress");
   }
   for (const std::string & cell : cells)
   {
-    groups.numbers.push_back(isMissing(cell) ? std::nullopt
-                                             : std::optional<double>(cell == groups.names[1] ? 1.0 : 0.0));
+    const auto place = std::find(groups.names.begin(), groups.names.end(), cell) - groups.names.begin();
+    groups.numbers.push_back(isMissing(cell) ? std::nullopt : std::optional<double>(static_cast<double>(place)));
   }
   return groups;
 }

@@ -19,7 +19,8 @@ struct AtlasSubject
 struct AtlasSubjects
 {
   std::vector<AtlasSubject> subjects;
-  TextTable                 table; ///< a row for each subject; no columns where there is no table
+  TextTable                 table;       ///< a row for each subject; no columns where there is no table
+  std::string               tableFolder; ///< that files in the table are relative to
 };
 
 /** Finds the subjects of meshes, folders of meshes (and those below, hidden ones left out), or of one table.
@@ -40,15 +41,21 @@ listAtlasSubjects(const std::vector<std::string> & inputs, const std::string & o
 [[nodiscard]] std::vector<std::optional<double>>
 numbersOfColumn(const AtlasSubjects & subjects, const std::string & column);
 
-/** A column of two groups: 0 for the group `names[0]`, 1 for `names[1]`, ascending as numbers or in the alphabet;
- * nothing where the cell is empty or n/a. */
+/** A column of files, relative to the table's folder; nothing where the cell is empty or n/a.
+ * \throws BadInput  no such column */
+[[nodiscard]] std::vector<std::optional<std::string>>
+filesOfColumn(const AtlasSubjects & subjects, const std::string & column);
+
+/** A column of groups: 0 for `names[0]`, 1 for `names[1]` and so on, ascending as numbers or in the alphabet; nothing
+ * where the cell is empty or n/a. */
 struct GroupColumn
 {
   std::vector<std::optional<double>> numbers;
   std::vector<std::string>           names;
 };
 
-/** \throws BadInput  no such column, or other than two different values */
+/** Two different numbers or words, or more words. \throws BadInput  no such column, fewer than two different values, or
+ * more than two numbers, which may be a measurement */
 [[nodiscard]] GroupColumn
 groupsOfColumn(const AtlasSubjects & subjects, const std::string & column);
 

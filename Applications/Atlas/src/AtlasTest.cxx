@@ -11,6 +11,8 @@ namespace
 {
 using Column = std::vector<std::optional<double>>;
 
+constexpr double level = 0.05;
+
 /** Subjects without a missing value. */
 std::vector<std::size_t>
 completeSubjects(const std::vector<Column> & columns)
@@ -26,20 +28,23 @@ completeSubjects(const std::vector<Column> & columns)
   return complete;
 }
 
-/** The first column is the effect. */
+/** The first column is the effect, of groups their numbers. \param groups  how many; 0: a regression */
 LinearDesign
-designOf(const std::vector<Column> & columns, const std::vector<std::size_t> & subjects)
+designOf(const std::vector<Column> & columns, const std::vector<std::size_t> & subjects, std::size_t groups)
 {
-  const auto   rows = static_cast<Eigen::Index>(subjects.size());
-  LinearDesign design{ Eigen::VectorXd(rows), Eigen::MatrixXd(rows, static_cast<Eigen::Index>(columns.size()) - 1) };
+  const auto      rows = static_cast<Eigen::Index>(subjects.size());
+  Eigen::MatrixXd values(rows, static_cast<Eigen::Index>(columns.size()));
   for (Eigen::Index row = 0; row < rows; ++row)
   {
-    const std::size_t subject = subjects[static_cast<std::size_t>(row)];
-    design.effect[row] = *columns.front()[subject];
-    for (Eigen::Index column = 0; column < design.nuisance.cols(); ++column)
+    for (Eigen::Index column = 0; column < values.cols(); ++column)
     {
-      design.nuisance(row, column) = *columns[static_cast<std::size_t>(column) + 1][subject];
+      values(row, column) = *columns[static_cast<std::size_t>(column)][subjects[static_cast<std::size_t>(row)]];
     }
+  }
+  LinearDesign design{ values.leftCols(1), values.rightCols(values.cols() - 1) };
+  if (groups > 0)
+  {
+    design.effect = groupColumns(std::vector<std::size_t>(values.col(0).data(), values.col(0).data() + rows), groups);
   }
   return design;
 }
@@ -62,12 +67,24 @@ runTest(AtlasTest             test,
     }
   }
   test.subjects = completeSubjects(columns);
-  const LinearDesign design = designOf(columns, test.subjects);
+  test.groupSizes.assign(test.groups.size(), 0);
   if (!test.groups.empty())
   {
-    const auto second = static_cast<std::size_t>((design.effect.array() == 1.0).count());
-    test.groupSizes = { test.subjects.size() - second, second };
+    for (const std::size_t subject : test.subjects)
+    {
+      ++test.groupSizes[static_cast<std::size_t>(*effect[subject])];
+    }
   }
+  const auto empty = std::find(test.groupSizes.begin(), test.groupSizes.end(), std::size_t{ 0 });
+  if (empty != test.groupSizes.end())
+  {
+    throw BadInput(ErrorCode::Precondition,
+                   test.column,
+                   "no subject of the group " + test.groups[static_cast<std::size_t>(empty - test.groupSizes.begin())] +
+                     " has all the values",
+                   "fill in the covariates or leave some out");
+  }
+  const LinearDesign design = designOf(columns, test.subjects, test.groups.size());
   PermutationOptions permutation;
   permutation.permutations = options.permutations;
   permutation.seed = options.seed;
@@ -84,6 +101,56 @@ runTest(AtlasTest             test,
 }
 
 } // namespace
+
+Eigen::VectorXd
+effectSizes(const AtlasTest & test)
+{
+  if (test.hasManyGroups())
+  {
+    return test.result.partialCorrelation.cwiseAbs2();
+  }
+  return test.groups.empty() ? test.result.partialCorrelation : test.result.standardisedDifference;
+}
+
+std::vector<NodeChange>
+changesOf(const AtlasTest & test)
+{
+  if (!test.hasManyGroups())
+  {
+    return { { test.groups.empty() ? "Slope" : "Difference", "", test.result.slope } };
+  }
+  std::vector<NodeChange> changes;
+  const auto              displacements = groupDisplacements(test.result.slope, test.groupSizes);
+  for (std::size_t group = 0; group < test.groups.size(); ++group)
+  {
+    changes.push_back({ "Difference_" + test.groups[group], test.groups[group], displacements[group] });
+  }
+  return changes;
+}
+
+std::string
+describe(const AtlasTest & test)
+{
+  const auto group = [&test](std::size_t number) {
+    return test.groups[number] + " (" + std::to_string(test.groupSizes[number]) + ")";
+  };
+  if (test.groups.size() == 2)
+  {
+    return test.column + ", " + group(1) + " against " + group(0);
+  }
+  std::string text = test.column;
+  for (std::size_t number = 0; number < test.groups.size(); ++number)
+  {
+    text += ", " + group(number);
+  }
+  return text;
+}
+
+Eigen::Index
+nodesAtLevel(const Eigen::VectorXd & p)
+{
+  return (p.array() <= level).count();
+}
 
 std::vector<AtlasTest>
 runAtlasTests(const AtlasSubjects & subjects, const SubjectTable & aligned, const AtlasOptions & options)

@@ -2,7 +2,7 @@
 
 #include "AtlasOptions.h"
 #include "AtlasSubjects.h"
-#include "moserhex/ShapeStatistics/PermutationTest.h"
+#include "moserhex/ShapeStatistics/GroupDesign.h"
 
 #include <string>
 #include <vector>
@@ -16,11 +16,42 @@ struct AtlasTest
   std::string              name; ///< "group" or "regression": also of the files
   std::string              column;
   std::vector<std::string> covariates;
-  std::vector<std::string> groups;     ///< names, the first is what the second is compared with; empty: a regression
+  std::vector<std::string> groups; ///< names, of two the first is what the second is compared with; none: a regression
   std::vector<std::size_t> groupSizes; ///< as many
   std::vector<std::size_t> subjects;   ///< that have all the values
   PermutationResult        result;     ///< a place is a node
+
+  [[nodiscard]] bool
+  hasManyGroups() const
+  {
+    return groups.size() > 2;
+  }
 };
+
+/** What the test is measured by at every node: Mahalanobis' D of two groups, the partial eta squared of more, the
+ * partial correlation of a regression. */
+[[nodiscard]] Eigen::VectorXd
+effectSizes(const AtlasTest & test);
+
+/** How nodes moved, of one group, one comparison or a regression. */
+struct NodeChange
+{
+  std::string     name;  ///< "Difference", "Difference_GROUP" or "Slope"
+  std::string     group; ///< of more than two, else empty
+  Eigen::MatrixXd moves; ///< 3 x nodes [mm, of a regression mm per unit]
+};
+
+/** Of two groups second less first, of more each from the mean of all, of a regression the slope. */
+[[nodiscard]] std::vector<NodeChange>
+changesOf(const AtlasTest & test);
+
+/** "arm, treated (20) against control (20)", or all groups one after the other; of a regression the column. */
+[[nodiscard]] std::string
+describe(const AtlasTest & test);
+
+/** Nodes whose p, or q, is at most 0.05. */
+[[nodiscard]] Eigen::Index
+nodesAtLevel(const Eigen::VectorXd & p);
 
 /** What the options ask for of the two: groups, then regression.
  * \param aligned  a row a subject: the coordinates of all nodes [mm]

@@ -74,6 +74,26 @@ TEST(AtlasSubjects, GroupsAreOrderedAsNumbersOrInTheAlphabet)
   EXPECT_EQ(numbersOfColumn(subjects, "arm")[0], 1.0);
 }
 
+TEST(AtlasSubjects, GroupsThatAreWordsMayBeMany)
+{
+  const TestFolder    folder;
+  const AtlasSubjects subjects = tableOf(folder, "mesh,stage\n1.vtu,late\n2.vtu,early\n3.vtu,n/a\n4.vtu,none\n");
+  const GroupColumn   groups = groupsOfColumn(subjects, "stage");
+  EXPECT_EQ(groups.names, (std::vector<std::string>{ "early", "late", "none" }));
+  EXPECT_EQ(groups.numbers, (std::vector<std::optional<double>>{ 1.0, 0.0, std::nullopt, 2.0 }));
+}
+
+TEST(AtlasSubjects, FilesOfAColumnAreRelativeToTheTable)
+{
+  const TestFolder    folder;
+  const AtlasSubjects subjects = tableOf(folder, "mesh,mri\n1.vtu,a/1.nrrd\n2.vtu,\n3.vtu,n/a\n");
+  const auto          files = filesOfColumn(subjects, "mri");
+  ASSERT_EQ(files.size(), 3u);
+  EXPECT_EQ(fs::path(files[0].value()), fs::path(folder / "a/1.nrrd"));
+  EXPECT_FALSE(files[1].has_value());
+  EXPECT_FALSE(files[2].has_value());
+}
+
 TEST(AtlasSubjects, Refusals)
 {
   const TestFolder folder;
@@ -84,8 +104,10 @@ TEST(AtlasSubjects, Refusals)
   EXPECT_NE(refusal("mesh,age\n,5\n").find("no mesh in line 2"), std::string::npos);
   EXPECT_NE(refusal("mesh\n1.vtu\n./1.vtu\n").find("given twice"), std::string::npos);
   EXPECT_NE(refusal("mesh,subject\n1.vtu,A\n2.vtu,B\n3.vtu,A\n").find("a second subject A"), std::string::npos);
-  const AtlasSubjects subjects = tableOf(folder, "mesh,stage\n1.vtu,a\n2.vtu,b\n3.vtu,c\n");
-  EXPECT_NE(analytic::messageOf<Error>([&] { (void)groupsOfColumn(subjects, "stage"); }).find("3 different values"),
+  const AtlasSubjects subjects = tableOf(folder, "mesh,stage,size\n1.vtu,a,1\n2.vtu,b,2\n3.vtu,c,3\n");
+  EXPECT_NE(analytic::messageOf<Error>([&] { (void)numbersOfColumn(subjects, "stage"); }).find("3 different values"),
+            std::string::npos);
+  EXPECT_NE(analytic::messageOf<Error>([&] { (void)groupsOfColumn(subjects, "size"); }).find("3 different numbers"),
             std::string::npos);
   EXPECT_NE(analytic::messageOf<Error>([&] { (void)numbersOfColumn(subjects, "age"); }).find("no such column"),
             std::string::npos);

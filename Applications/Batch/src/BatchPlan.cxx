@@ -1,6 +1,7 @@
 #include "BatchPlan.h"
 
 #include "MeshArguments.h"
+#include "TemplateInputs.h"
 #include "Version.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
@@ -151,14 +152,10 @@ sha256OfInputs(const MeshCommandOptions & options)
 {
   try
   {
-    std::string text = sha256OfInput(options.input.file);
-    if (!options.density.empty())
+    std::string text;
+    for (const std::string & input : inputFiles(options))
     {
-      text += sha256OfInput(options.density);
-    }
-    if (!options.templateMesh.empty())
-    {
-      text += sha256OfInput(options.templateMesh);
+      text += sha256OfInput(input);
     }
     return sha256OfText(text);
   }

@@ -4,6 +4,7 @@
 #include "CaseRequest.h"
 #include "CommandErrors.h"
 #include "MeshArguments.h"
+#include "TemplateInputs.h"
 
 #include <optional>
 #include <set>
@@ -195,12 +196,8 @@ requireInputsKept(const CaseList & list)
   std::set<FileId>                files;
   for (const BatchCase & one : list.cases)
   {
-    for (const std::string & input : { one.options.input.file, one.options.density, one.options.templateMesh })
+    for (const std::string & input : inputFiles(one.options))
     {
-      if (input.empty())
-      {
-        continue;
-      }
       names.insert(normalPath(input).string());
       if (const auto file = fileIdOf(input))
       {
@@ -226,9 +223,9 @@ warnOfMissingInputs(CaseList & list)
   Finding missing;
   for (const BatchCase & one : list.cases)
   {
-    for (const std::string & input : { one.options.input.file, one.options.density, one.options.templateMesh })
+    for (const std::string & input : inputFiles(one.options))
     {
-      if (!input.empty() && !fileIdOf(input))
+      if (!fileIdOf(input))
       {
         missing.add(input);
       }

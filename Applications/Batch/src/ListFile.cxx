@@ -155,7 +155,7 @@ requestOfRow(const std::string &              list,
     }
     else
     {
-      const bool isFile = column == "density" || column == "template";
+      const bool isFile = isFileOption(column, cell);
       values.emplace_back(column, isFile ? (folder / cell).string() : cell);
     }
   }

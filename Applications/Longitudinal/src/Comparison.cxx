@@ -12,9 +12,17 @@ compareSeries(TimeSeries series, const std::string & align, std::vector<RegionSe
   const HexMesh & baseline = result.series.points.front().lattice;
   for (std::size_t time = 0; time < result.series.points.size(); ++time)
   {
-    const HexMesh & mesh = result.series.points[time].lattice;
-    result.times.push_back(time == 0 ? unchanged(baseline, threads)
-                                     : compareWithBaseline(baseline, mesh, alignmentOf(align), threads));
+    const TimePoint & point = result.series.points[time];
+    if (time == 0)
+    {
+      result.times.push_back(unchanged(baseline, threads));
+    }
+    else
+    {
+      const SimilarityTransform alignment =
+        point.alignment ? *point.alignment : latticeAlignment(point.lattice, baseline, alignmentOf(align));
+      result.times.push_back(compareWithBaseline(baseline, point.lattice, alignment, threads));
+    }
     result.rows.push_back(regionRows(baseline, result.times.back(), result.sets));
   }
   return result;

@@ -12,7 +12,7 @@ namespace moserhex::app
 struct Comparison
 {
   TimeSeries                          series;
-  std::string                         align; ///< rigid | similarity | none
+  std::string                         align; ///< rigid | similarity | none | file
   std::vector<RegionSet>              sets;
   std::vector<TimeComparison>         times; ///< of each point of the series, the baseline with itself first
   std::vector<std::vector<RegionRow>> rows;  ///< of each point

@@ -5,6 +5,7 @@
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
+#include <cctype>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -125,17 +126,27 @@ cellArrays(const CellDeformation & cells)
            stretch };
 }
 
+std::string
+capitalised(std::string name)
+{
+  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  return name;
+}
+
+/** One array for each axis, as halves along different axes overlap; named by its two halves, "HalvesRightLeft". The
+ * numbers are those of the set. */
 std::vector<NamedArray>
-regionArrays(const std::vector<RegionSet> & sets, int nodesPerSide)
+halfArrays(const std::vector<CubeRegion> & halves, int nodesPerSide)
 {
   std::vector<NamedArray> arrays;
-  for (const RegionSet & set : sets)
+  for (std::size_t first = 0; first + 1 < halves.size(); first += 2)
   {
-    if (set.name == "octants" || set.name == "boxes")
+    NamedArray array{ "Halves" + capitalised(halves[first].name) + capitalised(halves[first + 1].name), 1, {} };
+    for (const int number : regionOfCells({ halves[first], halves[first + 1] }, nodesPerSide))
     {
-      const std::vector<int> numbers = regionOfCells(set.regions, nodesPerSide);
-      arrays.push_back({ set.name == "boxes" ? "Boxes" : "Octants", 1, { numbers.begin(), numbers.end() } });
+      array.values.push_back(number == 0 ? 0.0 : static_cast<double>(first) + number);
     }
+    arrays.push_back(std::move(array));
   }
   return arrays;
 }
@@ -155,6 +166,26 @@ collectionText(const TimeSeries & series)
 }
 
 } // namespace
+
+std::vector<NamedArray>
+regionArrays(const std::vector<RegionSet> & sets, int nodesPerSide)
+{
+  std::vector<NamedArray> arrays;
+  for (const RegionSet & set : sets)
+  {
+    if (set.name == "octants" || set.name == "boxes")
+    {
+      const std::vector<int> numbers = regionOfCells(set.regions, nodesPerSide);
+      arrays.push_back({ capitalised(set.name), 1, { numbers.begin(), numbers.end() } });
+    }
+    if (set.name == "halves")
+    {
+      const std::vector<NamedArray> halves = halfArrays(set.regions, nodesPerSide);
+      arrays.insert(arrays.end(), halves.begin(), halves.end());
+    }
+  }
+  return arrays;
+}
 
 std::string
 meshFileOfTime(std::size_t time)

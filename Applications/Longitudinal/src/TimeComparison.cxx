@@ -37,8 +37,17 @@ differences(const Positions & after, const Positions & before)
 TimeComparison
 compareWithBaseline(const HexMesh & baseline, const HexMesh & followUp, AlignmentKind align, unsigned int threads)
 {
+  return compareWithBaseline(baseline, followUp, latticeAlignment(followUp, baseline, align), threads);
+}
+
+TimeComparison
+compareWithBaseline(const HexMesh &             baseline,
+                    const HexMesh &             followUp,
+                    const SimilarityTransform & alignment,
+                    unsigned int                threads)
+{
   TimeComparison result;
-  result.alignment = latticeAlignment(followUp, baseline, align);
+  result.alignment = alignment;
   result.mesh = transformed(followUp, result.alignment);
   result.displacement = displacements(baseline, result.mesh);
   result.cells = cellDeformation(baseline, result.mesh, threads);

@@ -21,7 +21,15 @@ struct TimeComparison
   double              volumeChange{ 0.0 }; ///< of the organ as it was read, against the baseline [%]
 };
 
-/** \param threads  as in parallelFor \throws InvalidInput  as the functions of the module Deformation */
+/** \param alignment  of the follow-up onto the baseline \param threads  as in parallelFor
+ * \throws InvalidInput  as the functions of the module Deformation */
+[[nodiscard]] TimeComparison
+compareWithBaseline(const HexMesh &             baseline,
+                    const HexMesh &             followUp,
+                    const SimilarityTransform & alignment,
+                    unsigned int                threads);
+
+/** The same with latticeAlignment. */
 [[nodiscard]] TimeComparison
 compareWithBaseline(const HexMesh & baseline, const HexMesh & followUp, AlignmentKind align, unsigned int threads);
 

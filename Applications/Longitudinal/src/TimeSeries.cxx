@@ -3,6 +3,7 @@
 #include "CommandErrors.h"
 #include "LatticeTurn.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
+#include "moserhex/HexMeshIO/TransformFile.h"
 
 #include <cmath>
 #include <filesystem>
@@ -13,12 +14,12 @@ namespace
 {
 
 void
-requireAsMany(const char * option, std::size_t given, std::size_t meshes)
+requireAsMany(const char * option, std::size_t given, std::size_t wanted, const char * what)
 {
-  if (given != 0 && given != meshes)
+  if (given != 0 && given != wanted)
   {
-    throw UsageError(std::string(option) + " has " + std::to_string(given) + " entries for " + std::to_string(meshes) +
-                     " meshes; give one for each");
+    throw UsageError(std::string(option) + " has " + std::to_string(given) + " entries for " + std::to_string(wanted) +
+                     " " + what + "; give one for each");
   }
 }
 
@@ -29,8 +30,9 @@ requireUsable(const CompareCommandOptions & options)
   {
     throw UsageError("one mesh is no comparison; give a baseline and one follow-up or more");
   }
-  requireAsMany("--times", options.times.size(), options.meshes.size());
-  requireAsMany("--names", options.names.size(), options.meshes.size());
+  requireAsMany("--times", options.times.size(), options.meshes.size(), "meshes");
+  requireAsMany("--names", options.names.size(), options.meshes.size(), "meshes");
+  requireAsMany("--transforms", options.transforms.size(), options.meshes.size() - 1, "follow-ups");
   for (std::size_t time = 0; time < options.times.size(); ++time)
   {
     if (!std::isfinite(options.times[time]) || (time > 0 && !(options.times[time] > options.times[time - 1])))
@@ -74,6 +76,12 @@ alignmentOf(const std::string & align)
   return align == "similarity" ? AlignmentKind::Similarity : AlignmentKind::Rigid;
 }
 
+std::string
+alignmentName(const CompareCommandOptions & options)
+{
+  return options.transforms.empty() ? options.align : "file";
+}
+
 TimeSeries
 readTimeSeries(const CompareCommandOptions & options)
 {
@@ -97,6 +105,10 @@ readTimeSeries(const CompareCommandOptions & options)
       point.months = options.times[time];
     }
     point.lattice = latticePart(mesh);
+    if (time > 0 && !options.transforms.empty())
+    {
+      point.alignment = similarityOfFile(options.transforms[time - 1], { options.sandbox }).inverse();
+    }
     series.points.push_back(point);
     if (const std::optional<std::string> turn = turnOfLattice(file))
     {

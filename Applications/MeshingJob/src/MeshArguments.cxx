@@ -85,9 +85,20 @@ addMeshingOptions(CLI::App & command, MeshCommandOptions & options)
     options.templateMesh,
     "Mesh of as many shells that this one is to be like: the same place of the organ at the same lattice "
     "index; needs --stage exact");
-  command.add_option("--align", options.align, "How the template is brought to the label before it is bent")
-    ->check(CLI::IsMember(alignNames))
+  command
+    .add_option("--align",
+                options.align,
+                "How the template is brought to the label before it is bent: rigid, affine, none, or a file with a "
+                "transform of ITK from the template's space to the label's")
     ->capture_default_str();
+  command.add_option(
+    "--landmarks",
+    options.landmarks,
+    "Points on the label (.fcsv .mrk.json .csv .tsv) that belong to the same places as --template-landmarks");
+  command.add_option("--template-landmarks", options.templateLandmarks, "The same points on the template, same labels");
+  command.add_option(
+    "--image", options.image, "Image of the label's subject: the mesh is drawn to where it is like --template-image");
+  command.add_option("--template-image", options.templateImage, "Image of the template's subject, of the same kind");
   command.add_option("--density",
                      options.density,
                      "Positive image: every cell gets the same mass, not volume; around the label it does not count; "
@@ -148,6 +159,15 @@ setMeshingOptions(const std::vector<std::pair<std::string, std::string>> & value
   requireUsable(options);
 }
 
+bool
+isFileOption(const std::string & name, const std::string & value)
+{
+  static const std::vector<std::string> names{ "density", "template",      "landmarks", "template-landmarks",
+                                               "image",   "template-image" };
+  const bool isAlignName = std::find(alignNames.begin(), alignNames.end(), value) != alignNames.end();
+  return std::find(names.begin(), names.end(), name) != names.end() || (name == "align" && !isAlignName);
+}
+
 std::vector<std::string>
 meshingArguments(const MeshCommandOptions & options)
 {
@@ -182,6 +202,16 @@ meshingArguments(const MeshCommandOptions & options)
   {
     add("template", options.templateMesh);
     add("align", options.align);
+  }
+  for (const auto & [name, file] : { std::pair("landmarks", options.landmarks),
+                                     std::pair("template-landmarks", options.templateLandmarks),
+                                     std::pair("image", options.image),
+                                     std::pair("template-image", options.templateImage) })
+  {
+    if (!file.empty())
+    {
+      add(name, file);
+    }
   }
   if (!options.density.empty())
   {

@@ -34,6 +34,10 @@ meshingOptionNames();
 void
 setMeshingOptions(const std::vector<std::pair<std::string, std::string>> & values, MeshCommandOptions & options);
 
+/** Whether the value of one of those options is the name of a file. */
+[[nodiscard]] bool
+isFileOption(const std::string & name, const std::string & value);
+
 /** A command line that gives these options, each as --name=value, those that have no value left out: the same for the
  * same options, whatever the defaults are. */
 [[nodiscard]] std::vector<std::string>

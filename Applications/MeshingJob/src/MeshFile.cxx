@@ -32,7 +32,7 @@ requireUsableNames(const MeshCommandOptions & options)
   requireHexMeshName(options.output);
   requireUsable(options);
   requirePagesFor(options.pageFile);
-  for (const std::string & input : { options.density, options.templateMesh, options.input.file })
+  for (const std::string & input : inputFiles(options))
   {
     requireKept(input, options.output);
     requireKept(input, options.reportFile);
@@ -107,12 +107,19 @@ makeMesh(const MeshCommandOptions &                       options,
     report.density = RunReport::Density{ options.density, sha256OfInput(options.density) };
     report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
   }
+  PipelineInputs inputs;
+  inputs.density = density.image.GetPointer();
   if (report.templateMesh)
   {
-    report.templateMesh->sha256 = sha256OfInput(options.templateMesh);
+    for (RunReport::File & file : report.templateMesh->files)
+    {
+      file.sha256 = sha256OfInput(file.name);
+    }
+    inputs.tied = readTemplate(options);
+    report.warnings.insert(report.warnings.end(), inputs.tied->warnings.begin(), inputs.tied->warnings.end());
   }
   say("meshing " + meshed.solid.name());
-  meshed.pipeline = runPipeline(meshed.solid, density.image.GetPointer(), options, progress);
+  meshed.pipeline = runPipeline(meshed.solid, inputs, options, progress);
   addResults(*meshed.pipeline, report);
   requireUnchanged(options.input.file, report.input.sha256);
 

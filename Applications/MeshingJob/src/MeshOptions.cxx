@@ -1,6 +1,7 @@
 #include "MeshOptions.h"
 
 #include "CommandErrors.h"
+#include "moserhex/HexMeshIO/TransformFile.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
 #include <algorithm>
@@ -25,6 +26,36 @@ requireOneOf(const std::string & option, const std::string & value, const std::v
   throw UsageError(option + ": " + oneLine(value, 40) + " is none of " + list);
 }
 
+void
+requireUsableTemplate(const MeshCommandOptions & options)
+{
+  if (!isTransformName(options.align))
+  {
+    requireOneOf("--align", options.align, alignNames);
+  }
+  if (options.landmarks.empty() != options.templateLandmarks.empty())
+  {
+    throw UsageError("--landmarks and --template-landmarks need each other");
+  }
+  if (options.image.empty() != options.templateImage.empty())
+  {
+    throw UsageError("--image and --template-image need each other");
+  }
+  if (options.templateMesh.empty())
+  {
+    if (!options.landmarks.empty() || !options.image.empty() || isTransformName(options.align))
+    {
+      throw UsageError("--landmarks, --image and a transform as --align need --template");
+    }
+    return;
+  }
+  if (options.stage != "exact" || options.padding > 0 || !options.density.empty() || options.way ||
+      options.frame != "anatomical")
+  {
+    throw UsageError("--template needs --stage exact, and takes no --padding, --density, --way or --frame");
+  }
+}
+
 } // namespace
 
 void
@@ -33,7 +64,6 @@ requireUsable(const MeshCommandOptions & options)
   requireOneOf("--stage", options.stage, stageNames);
   requireOneOf("--way", wayOf(options), wayNames);
   requireOneOf("--frame", options.frame, frameNames);
-  requireOneOf("--align", options.align, alignNames);
   requireOneOf("--topology", options.topology, topologyNames);
   requireOneOf("--shell-method", options.shellMethod, shellMethodNames);
   if (options.shells < fewestShells || options.shells > mostShells)
@@ -57,11 +87,7 @@ requireUsable(const MeshCommandOptions & options)
   {
     throw UsageError("--density needs --stage exact");
   }
-  if (!options.templateMesh.empty() && (options.stage != "exact" || options.padding > 0 || !options.density.empty() ||
-                                        options.way || options.frame != "anatomical"))
-  {
-    throw UsageError("--template needs --stage exact, and takes no --padding, --density, --way or --frame");
-  }
+  requireUsableTemplate(options);
   if (options.way && options.stage != "exact")
   {
     throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");

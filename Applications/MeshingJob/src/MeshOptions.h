@@ -17,26 +17,31 @@ struct MeshCommandOptions
   std::string                pageFile;              ///< the report as HTML; empty: none
   bool                       reproducible{ false }; ///< the report has no times, threads and memory
   int                        shells{ 10 };
-  std::string                stage{ "exact" };            ///< initial | smoothed | moser | exact
-  std::optional<std::string> way;                         ///< fast (also when not given) | faithful
-  int                        padding{ 0 };                ///< layers of pillow cells around the lattice
-  std::string                frame{ "anatomical" };       ///< anatomical | ridge
-  std::string                templateMesh;                ///< mesh that this one is to be like; empty: none
-  std::string                align{ "rigid" };            ///< rigid | none: how the template is brought to the label
-  std::string                density;                     ///< image of a positive density; empty: volumes
-  bool                       allowPartial{ false };       ///< write a mesh that is not exact, with a warning
-  std::string                shellMethod{ "auto" };       ///< auto | chan-vese | snapshots | eikonal
-  std::string                topology{ "repair" };        ///< repair | reject
-  double                     maximumRepairPercent{ 5.0 }; ///< of the label's voxels
-  unsigned int               threads{ 0 };                ///< 0: all of the machine's
-  bool                       quiet{ false };
+  std::string                stage{ "exact" };      ///< initial | smoothed | moser | exact
+  std::optional<std::string> way;                   ///< fast (also when not given) | faithful
+  int                        padding{ 0 };          ///< layers of pillow cells around the lattice
+  std::string                frame{ "anatomical" }; ///< anatomical | ridge
+  std::string                templateMesh;          ///< mesh that this one is to be like; empty: none
+  std::string                align{ "rigid" };      ///< rigid | affine | none, or a transform's file: how the template
+                                                    ///< is brought to the label
+  std::string  landmarks;                           ///< points on the label, ...
+  std::string  templateLandmarks;                   ///< ... and the same places on the template; empty: none
+  std::string  image;                               ///< an image of the label's subject, ...
+  std::string  templateImage;                       ///< ... and one of the template's; empty: none
+  std::string  density;                             ///< image of a positive density; empty: volumes
+  bool         allowPartial{ false };               ///< write a mesh that is not exact, with a warning
+  std::string  shellMethod{ "auto" };               ///< auto | chan-vese | snapshots | eikonal
+  std::string  topology{ "repair" };                ///< repair | reject
+  double       maximumRepairPercent{ 5.0 };         ///< of the label's voxels
+  unsigned int threads{ 0 };                        ///< 0: all of the machine's
+  bool         quiet{ false };
 };
 
 /** The values that options in words may have. */
 inline const std::vector<std::string> stageNames{ "initial", "smoothed", "moser", "exact" };
 inline const std::vector<std::string> wayNames{ "fast", "faithful" };
 inline const std::vector<std::string> frameNames{ "anatomical", "ridge" };
-inline const std::vector<std::string> alignNames{ "rigid", "none" };
+inline const std::vector<std::string> alignNames{ "rigid", "affine", "none" };
 inline const std::vector<std::string> topologyNames{ "repair", "reject" };
 inline const std::vector<std::string> shellMethodNames{ "auto", "chan-vese", "snapshots", "eikonal" };
 

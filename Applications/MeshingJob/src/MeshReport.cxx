@@ -30,6 +30,27 @@ describeConditioning(const ConditioningReport & conditioning)
 }
 
 void
+describeTies(const SolidMeshingResult & result, RunReport::Template & tied)
+{
+  if (result.alignment)
+  {
+    const SurfaceAlignmentResult & alignment = *result.alignment;
+    tied.aligned =
+      RunReport::Alignment{ alignment.motion.angle(), alignment.shift, alignment.rmsBefore, alignment.rmsAfter };
+  }
+  if (result.refinement && result.refinement->landmarkError)
+  {
+    tied.landmarks =
+      RunReport::Residual{ result.refinement->landmarkError->before, result.refinement->landmarkError->after };
+  }
+  if (result.refinement && result.refinement->imageDifference)
+  {
+    tied.imageDifference =
+      RunReport::Residual{ result.refinement->imageDifference->before, result.refinement->imageDifference->after };
+  }
+}
+
+void
 describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageReport> & stages, RunReport & report)
 {
   for (const MeshingStageReport & stage : stages)
@@ -50,12 +71,9 @@ describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageRe
   report.mesh.cells = result.mesh.cellCount();
   report.mesh.outline = silhouette(result.mesh);
   report.surface = RunReport::Surface{ result.boundary.rms, result.boundary.maximum };
-  if (result.alignment && report.templateMesh)
+  if (report.templateMesh)
   {
-    report.templateMesh->angle = result.alignment->motion.angle();
-    report.templateMesh->translation = result.alignment->shift;
-    report.templateMesh->rmsBefore = result.alignment->rmsBefore;
-    report.templateMesh->rmsAfter = result.alignment->rmsAfter;
+    describeTies(result, *report.templateMesh);
   }
   if (result.frame)
   {
@@ -92,7 +110,8 @@ startReport(const MeshCommandOptions & options)
   if (!options.templateMesh.empty())
   {
     report.templateMesh = RunReport::Template{};
-    report.templateMesh->file = options.templateMesh;
+    report.templateMesh->alignment = isAlignedByFile(options) ? "file" : options.align;
+    report.templateMesh->files = templateFiles(options);
   }
   report.parameters.topology = options.topology;
   report.parameters.maximumRepair = options.maximumRepairPercent;

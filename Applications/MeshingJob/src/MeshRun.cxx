@@ -1,7 +1,6 @@
 #include "MeshRun.h"
 
 #include "CommandErrors.h"
-#include "moserhex/HexMeshIO/HexMeshReader.h"
 
 #include <map>
 #include <new>
@@ -32,6 +31,17 @@ stageOf(const std::string & name)
     { "exact", MeshingStage::Exact },
   };
   return stages.at(name);
+}
+
+TemplateAlignment
+alignmentOf(const std::string & name)
+{
+  static const std::map<std::string, TemplateAlignment> alignments{
+    { "rigid", TemplateAlignment::Rigid },
+    { "affine", TemplateAlignment::Affine },
+    { "none", TemplateAlignment::None },
+  };
+  return alignments.at(name);
 }
 
 /** ITK's NIfTI reader turns values that are not finite into 0: one who looks for that 0 in the file finds none. */
@@ -65,26 +75,24 @@ throwOutOfMemory(const MeshCommandOptions & options)
     ErrorCode::OutOfMemory, options.input.file, "not enough memory", "use fewer shells or crop the image");
 }
 
-HexMesh
-readTemplate(const MeshCommandOptions & options)
+void
+tie(const TemplateInputs & tied, const MeshCommandOptions & options, PipelineType & filter)
 {
-  HexMesh mesh = readHexMesh(options.templateMesh, { options.input.sandbox });
-  if (mesh.nodesPerSide != 2 * options.shells || mesh.paddingLayers > 0)
+  filter.SetTemplateMesh(tied.mesh);
+  filter.SetTemplateRefinement(tied.refinement);
+  if (tied.nodesAtSolid)
   {
-    throw BadInput(ErrorCode::NotHexahedra,
-                   options.templateMesh,
-                   "a template of " + std::to_string(mesh.nodesPerSide) + " nodes a side and " +
-                     std::to_string(mesh.paddingLayers) + " layers of padding",
-                   "give one of --shells " + std::to_string(options.shells) + " without padding");
+    filter.SetTemplateNodes(*tied.nodesAtSolid);
+    return;
   }
-  return mesh;
+  filter.SetTemplateAlignment(alignmentOf(options.align));
 }
 
 } // namespace
 
 PipelineType::Pointer
 runPipeline(const ChosenSolid &        solid,
-            const ScalarImageType *    density,
+            const PipelineInputs &     inputs,
             const MeshCommandOptions & options,
             const ProgressCallback &   progress)
 {
@@ -99,12 +107,11 @@ runPipeline(const ChosenSolid &        solid,
   filter->SetAllowPartial(options.allowPartial);
   filter->SetFrame(options.frame == "ridge" ? LatticeFrame::Ridge : LatticeFrame::Anatomical);
   filter->SetPaddingLayers(options.padding);
-  if (!options.templateMesh.empty())
+  if (inputs.tied)
   {
-    filter->SetTemplateMesh(readTemplate(options));
-    filter->SetTemplateAlignment(options.align == "none" ? TemplateAlignment::None : TemplateAlignment::Rigid);
+    tie(*inputs.tied, options, *filter);
   }
-  filter->SetDensityImage(density);
+  filter->SetDensityImage(inputs.density);
   if (options.shellMethod != "auto")
   {
     filter->SetShellMethod(shellMethodOf(options.shellMethod));

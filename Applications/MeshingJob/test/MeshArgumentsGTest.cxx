@@ -79,6 +79,10 @@ TEST(MeshArguments, EveryOptionIsGiven)
 {
   MeshCommandOptions options = otherOptions();
   options.templateMesh = "t.vtu"; // contradicts some of the others
+  options.landmarks = "l.csv";
+  options.templateLandmarks = "tl.csv";
+  options.image = "i.nrrd";
+  options.templateImage = "ti.nrrd";
   const std::vector<std::string> arguments = meshingArguments(options);
   for (const std::string & name : meshingOptionNames())
   {
@@ -133,6 +137,18 @@ TEST(MeshArguments, TemplatesComeBackAsTheyWereAndExcludeWhatTheyCannotHave)
   EXPECT_EQ(again.templateMesh, options.templateMesh);
   EXPECT_EQ(again.align, options.align);
   EXPECT_EQ(meshingArguments(again), meshingArguments(options));
+  options.align = "to the label.tfm";
+  options.landmarks = "l.csv";
+  options.templateLandmarks = "tl.csv";
+  options.image = "i.nrrd";
+  options.templateImage = "ti.nrrd";
+  const MeshCommandOptions refined = set(meshingArguments(options));
+  EXPECT_EQ(refined.align, options.align);
+  EXPECT_EQ(refined.landmarks, options.landmarks);
+  EXPECT_EQ(refined.templateLandmarks, options.templateLandmarks);
+  EXPECT_EQ(refined.image, options.image);
+  EXPECT_EQ(refined.templateImage, options.templateImage);
+  EXPECT_EQ(meshingArguments(refined), meshingArguments(options));
   for (const auto & [name, value] : Values{
          { "padding", "1" }, { "density", "d.nrrd" }, { "way", "fast" }, { "frame", "ridge" }, { "stage", "moser" } })
   {

@@ -3,12 +3,14 @@
 #include "AtlasFiles.h"
 #include "CommandErrors.h"
 #include "Console.h"
+#include "ModeMeshFiles.h"
 #include "ModelUse.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <map>
@@ -18,7 +20,7 @@ namespace moserhex::app
 namespace
 {
 
-constexpr double level = 0.05;
+constexpr double analysisPart = 0.6; ///< of the whole run, for progress only
 
 /** K modes or P % of the variance. */
 void
@@ -55,9 +57,9 @@ requireConsistent(const AtlasCommandOptions & options)
   {
     throw UsageError("--covariates without --group or --regress; say what is tested");
   }
-  if (isTested && isModelUsed)
+  if ((isTested || !options.images.empty()) && isModelUsed)
   {
-    throw UsageError("--group and --regress need an analysis, not --project or --reconstruct");
+    throw UsageError("--group, --regress and --images need an analysis, not --project or --reconstruct");
   }
 }
 
@@ -65,19 +67,15 @@ void
 printTest(const AtlasTest & test)
 {
   const PermutationResult & result = test.result;
-  const std::string         what = test.groups.empty()
-                                     ? test.column
-                                     : test.column + ", " + test.groups[1] + " (" + std::to_string(test.groupSizes[1]) +
-                                 ") against " + test.groups[0] + " (" + std::to_string(test.groupSizes[0]) + ")";
   std::printf("%-11s %s: %zu %s, smallest family-wise p %.4g; %td of %td nodes at 0.05, %td by false discovery\n",
               test.name.c_str(),
-              what.c_str(),
+              describe(test).c_str(),
               result.permutations,
               result.isExact ? "orders, all there are" : "permutations",
               result.pFamilyWise.minCoeff(),
-              (result.pFamilyWise.array() <= level).count(),
+              nodesAtLevel(result.pFamilyWise),
               result.p.size(),
-              (result.qFalseDiscovery.array() <= level).count());
+              nodesAtLevel(result.qFalseDiscovery));
 }
 
 void
@@ -109,6 +107,19 @@ printAtlas(const AtlasResult & result, const AtlasOptions & options, double seco
                 result.quality.specificity.back(),
                 result.quality.compactness.size());
   }
+  const auto exact = std::count_if(result.modeMeshes.begin(),
+                                   result.modeMeshes.end(),
+                                   [](const ModeMeshFigures & mesh) { return mesh.deviations != 0.0; });
+  std::printf("mode meshes %td of %zu exact\n", exact, result.modeMeshes.size());
+  if (result.images)
+  {
+    std::printf("images      mean of %zu, %zu left out, %d x %d x %d in the cube\n",
+                result.images->subjects,
+                result.images->leftOut.size(),
+                result.images->mean.size[0],
+                result.images->mean.size[1],
+                result.images->mean.size[2]);
+  }
   for (const AtlasTest & test : result.tests)
   {
     printTest(test);
@@ -131,10 +142,13 @@ makeAtlas(const AtlasOptions & options)
   const Stopwatch   stopwatch;
   const AtlasResult result = [&] {
     ProgressPrinter printer(options.quiet);
-    return analyse(options, [&printer](double fraction) { printer.show(fraction); });
+    AtlasResult     all = analyse(options, [&printer](double fraction) { printer.show(analysisPart * fraction); });
+    writeModeMeshes(
+      all, options, [&printer](double fraction) { printer.show(analysisPart + (1.0 - analysisPart) * fraction); });
+    return all;
   }();
-  writeAtlas(result, options);
   printWarnings(result.warnings);
+  writeAtlas(result, options);
   if (!options.quiet)
   {
     printAtlas(result, options, stopwatch.seconds());
@@ -168,10 +182,12 @@ addAtlasCommand(CLI::App & program, AtlasCommandOptions & options)
     ->capture_default_str();
   command->add_option("--modes", options.modes, "Modes to keep: a number, or a part of the variance such as 95%")
     ->capture_default_str();
-  command->add_option("--mode-meshes", options.modeMeshes, "Modes whose +-3 sigma meshes are written, at most")
+  command
+    ->add_option("--mode-meshes", options.modeMeshes, "Modes whose meshes at +-3 standard deviations are made, at most")
     ->check(CLI::Range(0, 10000))
     ->capture_default_str();
-  command->add_option("--group", options.group, "Column with two groups to compare at every node");
+  command->add_option(
+    "--group", options.group, "Column of two groups, or more that are words, to compare at every node");
   command->add_option("--regress", options.regressor, "Column of numbers to regress every node's place on");
   command->add_option("--covariates", options.covariates, "Columns, by commas, whose influence is taken out of both")
     ->delimiter(',');
@@ -182,6 +198,19 @@ addAtlasCommand(CLI::App & program, AtlasCommandOptions & options)
     ->check(CLI::Range(1, 10000000))
     ->capture_default_str();
   command->add_option("--seed", options.seed, "Of permutations and random shapes")->capture_default_str();
+  CLI::Option * images =
+    command->add_option("--images", options.images, "Column of image files to take the mean of, in the cube");
+  command
+    ->add_option("--image-sampling",
+                 options.imageSampling,
+                 "Of the cube: cells (means), nodes (values), or means of N boxes per axis")
+    ->capture_default_str()
+    ->needs(images);
+  command
+    ->add_flag("--normalise-images",
+               options.normaliseImages,
+               "Bring each image to mean 0 and deviation 1 within the organ first")
+    ->needs(images);
   command->add_option("--label-spacing", options.labelSpacing, "Voxels of the template's labelmap in mm; 0: none")
     ->check(CLI::Range(0.0, 100.0))
     ->capture_default_str();

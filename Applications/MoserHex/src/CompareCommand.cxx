@@ -22,6 +22,7 @@ requireInputsKept(const CompareCommandOptions & options, const TimeSeries & seri
 {
   std::vector<std::string> inputs = options.meshes;
   inputs.insert(inputs.end(), options.regions.begin(), options.regions.end());
+  inputs.insert(inputs.end(), options.transforms.begin(), options.transforms.end());
   for (const std::string & output : filesOf(series, options.outputFolder))
   {
     for (const std::string & input : inputs)
@@ -46,6 +47,12 @@ addCompareCommand(CLI::App & program, CompareCommandOptions & options)
   command->add_option("--align", options.align, "What is no change: position and direction, size as well, nothing")
     ->check(CLI::IsMember({ "rigid", "similarity", "none" }))
     ->capture_default_str();
+  command
+    ->add_option("--transforms",
+                 options.transforms,
+                 "Files with rigid transforms of ITK, one a follow-up, from the baseline's space to its, separated by "
+                 "commas; in place of --align")
+    ->delimiter(',');
   command
     ->add_option("--regions",
                  options.regions,
@@ -74,7 +81,8 @@ runCompareCommand(const CompareCommandOptions & options)
   {
     printWarning(warning);
   }
-  const Comparison comparison = compareSeries(std::move(series), options.align, std::move(sets), options.threads);
+  const Comparison comparison =
+    compareSeries(std::move(series), alignmentName(options), std::move(sets), options.threads);
   makeFolder(options.outputFolder);
   writeTimeMeshes(options.outputFolder, comparison);
   writeTextFile((std::filesystem::path(options.outputFolder) / "regions.csv").string(), regionTable(comparison, ','));

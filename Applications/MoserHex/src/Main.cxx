@@ -3,9 +3,11 @@
 #include "CaseListArguments.h"
 #include "CheckCommand.h"
 #include "CollectCommand.h"
+#include "CommandTree.h"
 #include "CompareCommand.h"
 #include "Console.h"
 #include "ConvertCommand.h"
+#include "FigureCommand.h"
 #include "Guard.h"
 #include "MeshArguments.h"
 #include "MeshCommand.h"
@@ -22,6 +24,7 @@
 #include <CLI/CLI.hpp>
 
 #include <clocale>
+#include <cstdio>
 #include <cstdlib>
 
 #ifdef __linux__
@@ -218,10 +221,12 @@ reportUsage(const CLI::App & program, const CLI::ParseError & error)
   const auto unknown = program.remaining();
   if (parsed.empty() && !unknown.empty() && unknown.front().front() != '-')
   {
-    printError(ErrorCode::Usage,
-               "no command " + unknown.front() +
-                 ", there are mesh, batch, collect, atlas, check, compare, convert, quality, sample and transfer; see "
-                 "moserhex --help");
+    std::string names;
+    for (const CLI::App * command : program.get_subcommands([](const CLI::App *) { return true; }))
+    {
+      names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    printError(ErrorCode::Usage, "no command " + unknown.front() + ", there are " + names + "; see moserhex --help");
     return exitStatusOf(ErrorCode::Usage);
   }
   const std::string command = parsed.empty() ? "" : parsed.front()->get_name() + " ";
@@ -256,12 +261,22 @@ run(int argc, char ** argv)
   const CLI::App *       transfer = addTransferCommand(program, transferOptions);
   AtlasCommandOptions    atlasOptions;
   const CLI::App *       atlas = addAtlasCommand(program, atlasOptions);
+  FigureCommandOptions   figureOptions;
+  const CLI::App *       figure = addFigureCommand(program, figureOptions);
   std::string            sampleFolder;
   bool                   sampleQuiet = false;
   CLI::App *             sample =
     program.add_subcommand("sample", "Write a made-up prostate, its zones and a follow-up as labelmaps");
   sample->add_option("DIR", sampleFolder, "Folder to write to")->required();
   sample->add_flag("--quiet", sampleQuiet, "Print errors only");
+
+  program
+    .add_flag_callback("--describe-commands",
+                       [&program] {
+                         std::fputs(describeCommands(program).c_str(), stdout);
+                         throw CLI::Success();
+                       })
+    ->group("");
 
   try
   {
@@ -298,6 +313,10 @@ run(int argc, char ** argv)
   if (convert->parsed())
   {
     return runGuarded([&] { runConvertCommand(convertOptions); });
+  }
+  if (figure->parsed())
+  {
+    return runGuarded([&] { runFigureCommand(figureOptions); });
   }
   if (quality->parsed())
   {

@@ -22,8 +22,9 @@ addTransferCommand(CLI::App & program, TransferCommandOptions & transfer)
   command->add_option("--mesh", options.mesh, "The subject's mesh (.vtu .vtk .msh .mesh .inp), without padding")
     ->required();
   command->add_option("--to-mesh", options.toMesh, "Mesh of another subject, to go on to");
-  command->add_option("--to-cube", options.toCube, "Image of the cube (.nrrd) or table of cube coordinates to write");
-  command->add_option("--to-image", options.toImage, "Image of a subject to write (.nrrd)");
+  command->add_option(
+    "--to-cube", options.toCube, "Image of the cube (.nrrd .nii .nii.gz) or table of cube coordinates to write");
+  command->add_option("--to-image", options.toImage, "Image of a subject to write (.nrrd .nii .nii.gz)");
   command->add_option("--to-points", options.toPoints, "Points of a subject to write (.fcsv .mrk.json .csv .tsv)");
   CLI::Option * like = command->add_option("--like", options.like, "Image whose voxels --to-image gets");
   command->add_option("--spacing", options.spacing, "Sides of new voxels in mm, one or three numbers")
@@ -39,6 +40,10 @@ addTransferCommand(CLI::App & program, TransferCommandOptions & transfer)
   command->add_flag(
     "--conserve", options.conserve, "The image is a density: its integral over the organ stays the same");
   command->add_flag("--rotate", options.rotate, "Turn vectors and tensors with the organ's local axes");
+  command
+    ->add_option(
+      "--values-in", options.valuesIn, "Space of the vectors or tensors to rotate: LPS or RAS [as the file says]")
+    ->check(CLI::IsMember({ "LPS", "RAS" }));
   command->add_flag("--nearest", options.nearest, "Value of the nearest voxel instead of linear interpolation");
   command->add_option("--background", options.background, "Value of voxels outside of the organ")
     ->capture_default_str();

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -56,6 +57,47 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   {
     EXPECT_NE(quality.out.find(option), std::string::npos) << option;
   }
+}
+
+TEST_F(CommandLine, DescriptionHasEveryCommandAndEveryOptionOfItsHelp)
+{
+  const Outcome described = run({ "--describe-commands" });
+  EXPECT_EQ(described.exitCode, 0) << described.error;
+  const std::string general = run({ "--help" }).out;
+  const auto        commands = nlohmann::json::parse(described.out);
+  const std::size_t subcommands = general.find("Subcommands:");
+  ASSERT_NE(subcommands, std::string::npos);
+  EXPECT_EQ(general.find("--describe-commands"), std::string::npos);
+  for (const auto & command : commands)
+  {
+    const std::string name = command["name"];
+    EXPECT_NE(general.find("\n  " + name + " ", subcommands), std::string::npos) << name;
+    const std::string     help = run({ name, "--help" }).out;
+    std::set<std::string> helped; // words that begin with -- at the beginning of a line
+    std::istringstream    lines(help);
+    for (std::string line; std::getline(lines, line);)
+    {
+      const std::size_t at = line.find("--");
+      if (at != std::string::npos && at <= 5)
+      {
+        helped.insert(line.substr(at, line.find_first_of(" ,{", at) - at));
+      }
+    }
+    std::set<std::string> named;
+    for (const auto & option : command["options"])
+    {
+      for (const std::string option_name : option["names"])
+      {
+        named.insert(option_name.rfind("--", 0) == 0 ? option_name : "");
+      }
+    }
+    named.erase("");
+    EXPECT_EQ(helped, named) << name;
+  }
+  EXPECT_EQ(
+    commands.size(),
+    static_cast<std::size_t>(std::count(general.begin() + static_cast<long>(subcommands), general.end(), '\n')) - 3)
+    << general;
 }
 
 TEST_F(CommandLine, WrongUsageEndsWithTwo)

@@ -44,6 +44,22 @@ protected:
 
 } // namespace
 
+TEST_F(CompareCommand, AGivenTransformIsTakenAway)
+{
+  std::ofstream(path("move.tfm")) << "#Insight Transform File V1.0\n#Transform 0\n"
+                                     "Transform: AffineTransform_double_3_3\n"
+                                     "Parameters: 1 0 0 0 1 0 0 0 1 50 0 0\nFixedParameters: 0 0 0\n";
+  const std::vector<std::string> command{ "compare",   path("a.vtu"), path("b.vtu"),  "--output",
+                                          path("out"), "--quiet",     "--transforms", path("move.tfm") };
+  const Outcome                  outcome = run(command);
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_LE((readHexMesh(path("out/time-001.vtu")).nodes[0] - Vector3(0, 0, 0)).norm(), 1e-9);
+  EXPECT_EQ(nlohmann::json::parse(contentOf(path("out/summary.json")))["align"], "file");
+  std::vector<std::string> twoForOne = command;
+  twoForOne.back() += "," + path("move.tfm");
+  expectErrorCode(run(twoForOne), "E_USAGE");
+}
+
 TEST_F(CompareCommand, ThreeTimesGiveASeriesATableAndASummary)
 {
   const Outcome outcome = run({ "compare",
@@ -96,6 +112,11 @@ TEST_F(CompareCommand, AlignmentAndRegionsAreChosen)
               .out,
             "");
   EXPECT_EQ(readHexMesh(path("out/time-001.vtu")).nodes[0], Vector3(50, 0, 0));
+  const std::string mesh = contentOf(path("out/time-001.vtu"));
+  for (const char * array : { "HalvesRightLeft", "HalvesAnteriorPosterior", "HalvesInferiorSuperior", "Boxes" })
+  {
+    EXPECT_NE(mesh.find(std::string("Name=\"") + array + '"'), std::string::npos) << array;
+  }
   const std::string table = contentOf(path("out/regions.csv"));
   EXPECT_NE(table.find("1,b,,halves,left,"), std::string::npos);
   EXPECT_NE(table.find("1,b,,boxes,apex,"), std::string::npos);

@@ -407,7 +407,7 @@ TEST_F(TransferCommand, RefusesWithOneLine)
   expectErrorCode(with({ "--to-cube", path("smooth.nrrd") }), "E_USAGE");
   expectErrorCode(with({ "--to-cube", out, "--sampling", "many" }), "E_USAGE");
   expectErrorCode(with({ "--to-cube", out, "--sampling", "nodes", "--conserve" }), "E_USAGE");
-  expectErrorCode(with({ "--to-cube", path("out.nii") }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", path("out.mha") }), "E_USAGE");
   expectErrorCode(with({ "--to-cube", path("no/out.nrrd") }), "E_CANTCREAT");
   expectErrorCode(with({ "--to-cube", out, "--rotate" }), "E_PIXELTYPE");
   expectErrorCode(with({ "--to-cube", out, "--labels" }), "E_LABELS");
@@ -454,4 +454,127 @@ TEST_F(TransferCommand, ThreadsDoNotMatter)
                threads });
   }
   EXPECT_EQ(image("1.nrrd").values, image("2.nrrd").values);
+}
+
+namespace
+{
+
+/** NRRD text of 32-bit floats over the voxels of `image`, of another number of values each. */
+std::string
+nrrdLike(const FieldVolume & image, const std::string & kind, const std::vector<float> & values)
+{
+  const std::size_t count = values.size() / image.gridVoxels();
+  std::string       text =
+    "NRRD0004\ntype: float\ndimension: 4\nspace: left-posterior-superior\nsizes: " + std::to_string(count) +
+    " 50 45 14\nspace directions: none (0.9,0,0) (0,1,0) (0,0,1.7)\nkinds: " + kind +
+    " domain domain domain\nendian: little\nencoding: raw\nspace origin: (-2,-2,-1)\n\n";
+  return text.append(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(float));
+}
+
+} // namespace
+
+TEST_F(TransferCommand, MaskedTensorsHaveNoDataOutsideTheirMask)
+{
+  const FieldVolume  grid = image("smooth.nrrd");
+  std::vector<float> values;
+  for (std::size_t voxel = 0; voxel < grid.gridVoxels(); ++voxel)
+  {
+    const bool isIn = voxel % 50 < 25; // the right half
+    values.insert(values.end(), { isIn ? 1.0F : 0.0F, 3.0F, 0.5F, 0.0F, 2.0F, -0.25F, isIn ? 1.0F : 77.0F });
+  }
+  std::ofstream(path("masked.nrrd"), std::ios::binary) << nrrdLike(grid, "3D-masked-symmetric-matrix", values);
+  const Outcome outcome = run({ "transfer",
+                                path("masked.nrrd"),
+                                "--mesh",
+                                path("a.vtu"),
+                                "--to-cube",
+                                path("cube.nrrd"),
+                                "--sampling",
+                                "nodes",
+                                "--background",
+                                "-9" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("beyond the image or its mask"), std::string::npos) << outcome.error;
+  const FieldVolume cube = image("cube.nrrd");
+  ASSERT_EQ(cube.components, 6);
+  std::size_t inside = 0;
+  for (std::size_t node = 0; node < cube.gridVoxels(); ++node)
+  {
+    const bool isIn = m_Mesh.nodes[node][0] < -2.0 + 0.9 * 24.5;
+    EXPECT_NEAR(cube.at(node)[0], isIn ? 3.0 : -9.0, 1e-12);
+    EXPECT_NEAR(cube.at(node)[5], isIn ? 1.0 : -9.0, 1e-12);
+    inside += isIn ? 1 : 0;
+  }
+  EXPECT_GT(inside, cube.gridVoxels() / 4);
+  EXPECT_LT(inside, 3 * cube.gridVoxels() / 4);
+}
+
+TEST_F(TransferCommand, AMaskWithoutAnythingOfTheMeshIsRefused)
+{
+  const FieldVolume  grid = image("smooth.nrrd");
+  std::vector<float> values(7 * grid.gridVoxels(), 0.0F);
+  std::ofstream(path("masked.nrrd"), std::ios::binary) << nrrdLike(grid, "3D-masked-symmetric-matrix", values);
+  expectErrorCode(run({ "transfer", path("masked.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd") }),
+                  "E_GEOMETRY");
+}
+
+TEST_F(TransferCommand, NiftiVectorsGoToTheCubeAndBack)
+{
+  const auto coordinates = [](const Vector3 & p, std::vector<double> & values) {
+    values.insert(values.end(), p.data(), p.data() + 3);
+  };
+  writeFieldImage(path("places.nii.gz"), imageOf(3, coordinates));
+  transfer({ path("places.nii.gz"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nii.gz"), "--sampling", "nodes" });
+  const FieldVolume cube = image("cube.nii.gz");
+  EXPECT_EQ(cubeSamplingOf(cube), CubeSampling::Nodes);
+  for (std::size_t node = 0; node < m_Mesh.nodes.size(); ++node)
+  {
+    const Eigen::Map<const Vector3> place(cube.at(node));
+    EXPECT_LE((place - m_Mesh.nodes[node]).norm(), 1e-5) << node; // the grid's place is single precision
+  }
+  transfer(
+    { path("cube.nii.gz"), "--mesh", path("a.vtu"), "--to-image", path("back.nii"), "--like", path("smooth.nrrd") });
+  const FieldVolume back = image("back.nii");
+  const std::size_t middle = back.voxelNumber(24, 20, 6);
+  EXPECT_LE((Eigen::Map<const Vector3>(back.at(middle)) - back.point(24, 20, 6)).norm(), 1e-4);
+}
+
+TEST_F(TransferCommand, VectorsOfAnUnknownSpaceAreTurnedWhenItIsSaid)
+{
+  const auto constant = [](const Vector3 &, std::vector<double> & values) {
+    values.insert(values.end(), { 1.0, 2.0, -2.0 });
+  };
+  writeFieldImage(path("lps.nii"), imageOf(3, constant));
+  std::string bytes = contentOf(path("lps.nii"));
+  bytes.replace(328, 3, 3, '\0'); // intent_name
+  const auto inRas = [](const Vector3 &, std::vector<double> & values) {
+    values.insert(values.end(), { -1.0, -2.0, -2.0 });
+  };
+  std::ofstream(path("unknown.nii"), std::ios::binary) << bytes;
+  writeFieldImage(path("ras.nrrd"), imageOf(3, inRas));
+  const std::vector<std::string> rest{ "--mesh", path("a.vtu"), "--rotate", "--to-cube" };
+  const auto                     arguments = [&](const std::string & input, const std::string & output) {
+    std::vector<std::string> all{ path(input) };
+    all.insert(all.end(), rest.begin(), rest.end());
+    all.push_back(path(output));
+    return all;
+  };
+  std::vector<std::string> refused = arguments("unknown.nii", "a.nrrd");
+  refused.insert(refused.begin(), "transfer");
+  const Outcome outcome = run(refused);
+  expectErrorCode(outcome, "E_GEOMETRY");
+  EXPECT_NE(outcome.error.find("--values-in"), std::string::npos) << outcome.error;
+
+  std::vector<std::string> said = arguments("unknown.nii", "a.nrrd");
+  said.insert(said.end(), { "--values-in", "LPS" });
+  transfer(said);
+  transfer(arguments("lps.nii", "b.nrrd"));
+  said = arguments("ras.nrrd", "c.nrrd");
+  said.insert(said.end(), { "--values-in", "RAS" });
+  transfer(said);
+  EXPECT_EQ(image("a.nrrd").values, image("b.nrrd").values);
+  EXPECT_EQ(image("a.nrrd").values, image("c.nrrd").values);
+  expectErrorCode(
+    run({ "transfer", path("lps.nii"), "--mesh", path("a.vtu"), "--to-cube", path("d.nrrd"), "--values-in", "LPS" }),
+    "E_USAGE");
 }

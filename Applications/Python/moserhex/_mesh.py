@@ -24,7 +24,7 @@ def mesh(
     *,
     label: Optional[int] = None,
     space: str = "RAS",
-    shells: int = 10,
+    shells: Optional[int] = None,
     padding: int = 0,
     stage: str = "exact",
     way: str = "fast",
@@ -33,6 +33,12 @@ def mesh(
     topology: str = "repair",
     max_repair: float = 5.0,
     density: Union[None, Array, Tuple[Array, Array]] = None,
+    template: Optional[Mesh] = None,
+    align: Union[str, Path] = "rigid",
+    landmarks: Optional[Array] = None,
+    template_landmarks: Optional[Array] = None,
+    image: Union[None, Array, Tuple[Array, Array]] = None,
+    template_image: Optional[Tuple[Array, Array]] = None,
     threads: int = 0,
     allow_partial: bool = False,
     progress: Optional[Callable[[float], Any]] = None,
@@ -44,7 +50,7 @@ def mesh(
     affine         4 x 4, from index to millimetres of `space`; its axes at right angles
     label          the label to mesh; None: the only one, or up to sixteen together
     space          of `affine` and of all coordinates of the mesh: "RAS" (nibabel) or "LPS" (ITK, SimpleITK, 3D Slicer)
-    shells         N, from 2 to 64: (2N)^3 nodes, (2N-1)^3 cells
+    shells         N, from 2 to 64: (2N)^3 nodes, (2N-1)^3 cells; by default those of the template, else 10
     padding        layers of pillow cells around the lattice, for finite elements; the cube's functions of such a mesh
                    raise Error
     stage          last stage: "initial", "smoothed", "moser", "exact"
@@ -55,6 +61,15 @@ def mesh(
     max_repair     most that a repair may change, in per cent of the label's voxels
     density        positive image: cells get equal masses instead of equal volumes. An array on the voxels of `labels`, or
                    a pair (array, affine)
+    template       a Mesh without padding that this one is tied to, node by node: a follow-up to its baseline, a subject
+                   to an atlas; in any space; only with stage "exact", without padding, density, way and frame
+    align          how the template is brought to the label first: "rigid" or "affine", by the surfaces; "none", where
+                   both are of one scan; or a file with an ITK transform from the template to the label
+    landmarks      (K, 3) places of this organ [mm], in `space`, and
+    template_landmarks  (K, 3) the same ones on the template, in its space, to refine the tie by
+    image          an image of this subject, to refine the tie by: an array on the voxels of `labels`, or a pair
+                   (array, affine), and
+    template_image a pair (array, affine in the template's space): an image of the same kind of the template's subject
     threads        0: all of the machine's; the result does not depend on it
     allow_partial  give out a mesh that is not exact, with a warning
     progress       called in this thread with the part done, in [0, 1]; what it raises ends the work, and so does returning
@@ -65,10 +80,15 @@ def mesh(
 
     Raises Error; its `code` is one of Documentation/Errors.md.
     """
-    if isinstance(density, tuple):
-        density, density_affine = density
-    else:
-        density_affine = affine
+    density, density_affine = _with_affine(density, affine)
+    image, image_affine = _with_affine(image, affine)
+    if template_image is not None and not isinstance(template_image, tuple):
+        raise TypeError("template_image: need a pair (array, affine)")
+    template_image, template_affine = _with_affine(template_image, None)
+    if template is not None and not isinstance(template, Mesh):
+        raise TypeError(f"template: need a Mesh, not {type(template).__name__}")
+    if shells is None:
+        shells = 10 if template is None else template.nodes_per_side // 2
     return Mesh(
         _moserhex.mesh(
             labels,
@@ -85,6 +105,14 @@ def mesh(
             max_repair,
             density,
             density_affine,
+            None if template is None else template._compiled,
+            os.fspath(align),
+            landmarks,
+            template_landmarks,
+            image,
+            image_affine,
+            template_image,
+            template_affine,
             threads,
             allow_partial,
             progress,
@@ -178,7 +206,7 @@ class Mesh:
         if not self._compiled.report:
             return None
         report = json.loads(self._compiled.report)
-        for part in ("input", "density", "mesh"):
+        for part in ("input", "density", "template", "mesh"):
             for key in ("file", "sha256"):
                 report.get(part, {}).pop(key, None)
         return report
@@ -212,21 +240,32 @@ class Mesh:
         values: Array,
         affine: Array,
         *,
+        boxes: Optional[int] = None,
         order: int = 4,
         interpolation: str = "linear",
         outside: float = math.nan,
+        rotate: bool = False,
         threads: int = 0,
     ) -> numpy.ndarray:
-        """Mean of an image over every cell: (n-1, n-1, n-1), indexed [i, j, k].
+        """Mean of an image over every cell: (n-1, n-1, n-1), or of C components (n-1, n-1, n-1, C), indexed [i, j, k].
 
-        values         array indexed [i, j, k]
+        values         array indexed [i, j, k], or [i, j, k, component]
         affine         4 x 4, from index to millimetres of the mesh's `space`
+        boxes          N, 1 to 1000: means over N^3 equal boxes of the cube, (N, N, N); by default over the mesh's cells
         order          Gauss points along each axis of a cell, 2 to 48: as many as there are voxels along a cell, for the
                        kinks and steps between voxels
         interpolation  "linear" or "nearest"
         outside        value beyond half a voxel from the outermost voxel centres; by default cells that reach there are NaN
+        rotate         vectors (C = 3) and symmetric tensors (C = 6: xx, xy, xz, yy, yz, zz), in the mesh's `space`, are
+                       turned into the cube's own axes at each place
+
+        Means times `cell_volumes` are integrals over the cells.
+
+        Raises Error: E_GEOMETRY, E_DIMENSION, E_PIXELTYPE, E_USAGE, E_PRECONDITION.
         """
-        return self._compiled.cell_means(values, affine, order, interpolation, outside, threads)
+        return _moserhex.cell_means(
+            self._compiled, values, affine, boxes or 0, order, interpolation, outside, rotate, threads
+        )
 
     def node_samples(
         self,
@@ -235,10 +274,61 @@ class Mesh:
         *,
         interpolation: str = "linear",
         outside: float = math.nan,
+        rotate: bool = False,
         threads: int = 0,
     ) -> numpy.ndarray:
-        """An image at every node: (n, n, n), indexed [i, j, k]. Arguments as in `cell_means`."""
-        return self._compiled.node_samples(values, affine, interpolation, outside, threads)
+        """An image at every node: (n, n, n) or (n, n, n, C), indexed [i, j, k]. Arguments as in `cell_means`."""
+        return _moserhex.node_samples(self._compiled, values, affine, interpolation, outside, rotate, threads)
+
+    def cell_volumes(self, *, boxes: Optional[int] = None, threads: int = 0) -> numpy.ndarray:
+        """Volumes [mm^3] of the cells, (n-1, n-1, n-1), or of the images of N^3 boxes of the cube, indexed [i, j, k]."""
+        return _moserhex.cell_volumes(self._compiled, boxes or 0, threads)
+
+    def grid_samples(
+        self,
+        values: Array,
+        affine: Array,
+        shape: Tuple[int, int, int],
+        *,
+        sampling: str = "cells",
+        interpolation: str = "linear",
+        background: float = math.nan,
+        rotate: bool = False,
+        threads: int = 0,
+    ) -> numpy.ndarray:
+        """An image of the cube on a subject's voxels: what `cell_means` or `node_samples` of any mesh gave, back.
+
+        values         (N, N, N), or (N, N, N, C), indexed [i, j, k]
+        affine, shape  of the image to make: 4 x 4, from index to millimetres of the mesh's `space`; three sizes
+        sampling       "cells": of N^3 boxes; "nodes": at N^3 points from face to face
+        interpolation  "linear" or "nearest", between the cube's values
+        background     of voxels whose centre is not in the mesh
+        rotate         vectors and symmetric tensors in the cube's own axes are turned into the mesh's `space`
+
+        Returns an array of that shape, with a fourth axis where there are components.
+        """
+        return _moserhex.grid_samples(
+            self._compiled, values, affine, shape, sampling, interpolation, background, rotate, threads
+        )
+
+    def grid_masses(
+        self,
+        masses: Array,
+        affine: Array,
+        shape: Tuple[int, int, int],
+        *,
+        background: float = 0.0,
+        threads: int = 0,
+    ) -> Tuple[numpy.ndarray, numpy.ndarray]:
+        """Masses of boxes of the cube on a subject's voxels, none lost: (densities, outside).
+
+        masses         (N, N, N), or (N, N, N, C): `cell_means(...) * cell_volumes(...)` of a density, of any mesh
+        affine, shape  as in `grid_samples`
+
+        `densities`, mass per mm^3 of voxel, has that shape; times the voxel's volume and summed it is the sum of the
+        masses less `outside`, (C,), what lies beyond the voxels. Voxels at the surface hold the mass of their part inside.
+        """
+        return _moserhex.grid_masses(self._compiled, masses, affine, shape, background, threads)
 
     def write(self, path: Path) -> None:
         """Write the mesh in the format of the name's ending, in LPS millimetres, completely or not at all.
@@ -248,6 +338,11 @@ class Mesh:
         Raises Error: E_USAGE, E_CANTCREAT, E_IO.
         """
         self._compiled.write(os.fspath(path))
+
+
+def _with_affine(image: Any, affine: Optional[Array]) -> Tuple[Any, Optional[Array]]:
+    """An image and its affine, which is `affine` unless the image is a pair."""
+    return image if isinstance(image, tuple) else (image, affine)
 
 
 def _read_only(array: numpy.ndarray) -> numpy.ndarray:

@@ -32,6 +32,25 @@ labelsFrom(const pybind11::object & labels, const pybind11::object & affine, Spa
 [[nodiscard]] ScalarImage
 scalarsFrom(const std::string & name, const pybind11::object & values, const pybind11::object & affine, Space space);
 
+/** Values indexed [i, j, k], or [i, j, k, component]. Vectors and symmetric tensors are in `space`, as they are: see
+ * turnToLps. */
+[[nodiscard]] FieldImage
+fieldFrom(const std::string & name, const pybind11::object & values, const pybind11::object & affine, Space space);
+
+/** The voxels of an image of this shape. \throws BadInput  Empty, TooBig, Geometry; Dimension: not three numbers */
+[[nodiscard]] VoxelGrid
+gridFrom(const pybind11::object & shape, const pybind11::object & affine, Space space);
+
+/** N x N x N values, or with components along a fourth axis, i fastest, components together.
+ * \throws BadInput (Dimension)  sides that differ; PixelType */
+[[nodiscard]] FieldVolume
+cubeValuesFrom(const std::string & name, const pybind11::object & values);
+
+/** Copies an array of real numbers with so many axes, the last index fastest, as they are.
+ * \param shape  set to its sides \throws BadInput (Dimension)  another number of axes; PixelType */
+[[nodiscard]] std::vector<double>
+numbersFrom(const std::string & name, const pybind11::object & array, std::vector<std::size_t> & shape);
+
 /** Copies K x 3 coordinates, as they are. \throws BadInput (Dimension)  another shape, or no real numbers */
 [[nodiscard]] Positions
 rowsFrom(const std::string & name, const pybind11::object & rows);

@@ -29,6 +29,51 @@ cubeOf(const std::vector<double> & values, int side)
 }
 
 py::array
+arrayOf(const FieldVolume & image)
+{
+  const auto               number = static_cast<py::ssize_t>(sizeof(double));
+  const py::ssize_t        voxel = number * image.components;
+  std::vector<py::ssize_t> shape{ image.size[0], image.size[1], image.size[2] };
+  std::vector<py::ssize_t> strides{ voxel, voxel * shape[0], voxel * shape[0] * shape[1] };
+  if (image.components > 1)
+  {
+    shape.push_back(image.components);
+    strides.push_back(number);
+  }
+  return py::array_t<double>(shape, strides, image.values.data()); // copied
+}
+
+py::array
+arrayOf(const std::vector<double> & numbers, const std::vector<py::ssize_t> & shape)
+{
+  return py::array_t<double>(shape, numbers.data()); // copied
+}
+
+py::array
+arrayOf(const Eigen::MatrixXd & matrix)
+{
+  py::array_t<double> array({ static_cast<py::ssize_t>(matrix.rows()), static_cast<py::ssize_t>(matrix.cols()) });
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+    array.mutable_data(), matrix.rows(), matrix.cols()) = matrix;
+  return array;
+}
+
+py::array
+arrayOf(const std::vector<Matrix3> & matrices, Space space)
+{
+  py::array_t<double> array({ static_cast<py::ssize_t>(matrices.size()), py::ssize_t{ 3 }, py::ssize_t{ 3 } });
+  const Vector3       signs = flip(Vector3::Ones(), space);
+  double *            next = array.mutable_data();
+  for (const Matrix3 & matrix : matrices)
+  {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> entries(next);
+    entries = signs.asDiagonal() * matrix * signs.asDiagonal();
+    next += 9;
+  }
+  return array;
+}
+
+py::array
 arrayOf(const LabelImageType & image)
 {
   const auto                                  size = image.GetLargestPossibleRegion().GetSize();

@@ -15,6 +15,22 @@ arrayOf(const Positions & positions, Space space);
 [[nodiscard]] pybind11::array
 cubeOf(const std::vector<double> & values, int side);
 
+/** Indexed [i, j, k], or of several components [i, j, k, component]; a voxel's values are together in memory. */
+[[nodiscard]] pybind11::array
+arrayOf(const FieldVolume & image);
+
+/** The numbers in that shape, the last index fastest. */
+[[nodiscard]] pybind11::array
+arrayOf(const std::vector<double> & numbers, const std::vector<pybind11::ssize_t> & shape);
+
+/** Rows x columns. */
+[[nodiscard]] pybind11::array
+arrayOf(const Eigen::MatrixXd & matrix);
+
+/** As many 3 x 3 matrices, their axes in `space`: S M S, S = diag(-1, -1, 1) or 1. */
+[[nodiscard]] pybind11::array
+arrayOf(const std::vector<Matrix3> & matrices, Space space);
+
 /** Indexed [i, j, k], the first index fastest. */
 [[nodiscard]] pybind11::array
 arrayOf(const LabelImageType & image);

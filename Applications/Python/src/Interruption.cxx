@@ -5,7 +5,7 @@ namespace moserhex::python
 
 namespace py = pybind11;
 
-Interruption::Interruption(py::object progress) : m_Progress(std::move(progress)), m_Last(Clock::now())
+Interruption::Interruption(py::object progress) : m_Progress(std::move(progress))
 {}
 
 bool

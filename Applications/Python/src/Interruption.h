@@ -28,7 +28,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   pybind11::object   m_Progress;
-  Clock::time_point  m_Last;
+  Clock::time_point  m_Last; ///< long ago: the first call is one
   std::exception_ptr m_Raised;
   bool               m_Stopped{ false };
 };

@@ -1,11 +1,16 @@
 // The compiled part of the package moserhex: arrays in, one call of the library, arrays out.
+#include "Arguments.h"
 #include "ArrayOutput.h"
 #include "Interruption.h"
 #include "MeshFile.h"
 #include "MeshReport.h"
+#include "PythonComparison.h"
 #include "PythonErrors.h"
 #include "PythonMesh.h"
+#include "PythonStatistics.h"
+#include "PythonTransfer.h"
 #include "ScaledJacobians.h"
+#include "TemplateArguments.h"
 #include "Version.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
@@ -25,19 +30,9 @@ namespace py = pybind11;
 using namespace moserhex;
 using namespace moserhex::python;
 
-/** What all programs name an image of the density that has no file. */
+/** What messages and reports call an image of the density and a template that have no file. */
 constexpr const char * densityName = "density";
-
-unsigned int
-threadsFrom(long long threads)
-{
-  constexpr long long most = 1024;
-  if (threads < 0 || threads > most)
-  {
-    throw InvalidInput(ErrorCode::Usage, "threads: " + std::to_string(threads) + ", need 0 (all) to 1024");
-  }
-  return static_cast<unsigned int>(threads);
-}
+constexpr const char * templateName = "template";
 
 std::optional<LabelValue>
 labelFrom(const std::optional<long long> & label)
@@ -53,22 +48,13 @@ labelFrom(const std::optional<long long> & label)
   return static_cast<LabelValue>(*label);
 }
 
-ImageFunctionOptions
-samplingFrom(const std::string & interpolation, double outside)
-{
-  if (interpolation != "linear" && interpolation != "nearest")
-  {
-    throw InvalidInput(ErrorCode::Usage,
-                       "interpolation: " + oneLine(interpolation, 40) + " is none of linear, nearest");
-  }
-  return { interpolation == "linear" ? ImageInterpolation::Linear : ImageInterpolation::Nearest, outside };
-}
-
 std::unique_ptr<PythonMesh>
 meshSolidOf(LabelImage                         image,
             const std::optional<LabelValue> &  label,
             const std::optional<ScalarImage> & density,
             const app::MeshCommandOptions &    options,
+            const HexMesh *                    templateMesh,
+            TemplateRefinement                 refinement,
             Space                              space,
             Interruption &                     interruption)
 {
@@ -81,10 +67,15 @@ meshSolidOf(LabelImage                         image,
     report.density.emplace().file = density->fileName;
     report.warnings.insert(report.warnings.end(), density->warnings.begin(), density->warnings.end());
   }
-  const auto pipeline =
-    app::runPipeline(solid, density ? density->image.GetPointer() : nullptr, options, [&](double fraction) {
-      return interruption.goOn(fraction);
-    });
+  const auto          goOn = [&](double fraction) { return interruption.goOn(fraction); };
+  app::PipelineInputs inputs;
+  inputs.density = density ? density->image.GetPointer() : nullptr;
+  if (templateMesh != nullptr)
+  {
+    inputs.tied = app::tiedTo(*templateMesh, options);
+    inputs.tied->refinement = std::move(refinement);
+  }
+  const auto pipeline = app::runPipeline(solid, inputs, options, goOn);
   app::addResults(*pipeline, report);
   const HexMesh & mesh = pipeline->GetHexMesh();
   HexMeshFields   fields = app::fieldsOf(mesh, solid, options.threads);
@@ -107,6 +98,14 @@ makeMesh(const py::object &               labels,
          double                           maximumRepair,
          const py::object &               density,
          const py::object &               densityAffine,
+         const PythonMesh *               templateMesh,
+         const std::string &              align,
+         const py::object &               landmarks,
+         const py::object &               templateLandmarks,
+         const py::object &               image,
+         const py::object &               imageAffine,
+         const py::object &               templateImage,
+         const py::object &               templateImageAffine,
          long long                        threads,
          bool                             allowPartial,
          const py::object &               progress)
@@ -122,28 +121,34 @@ makeMesh(const py::object &               labels,
   options.topology = topology;
   options.maximumRepairPercent = maximumRepair;
   options.density = density.is_none() ? "" : densityName;
+  options.templateMesh = templateMesh == nullptr ? "" : templateName;
+  options.align = align;
   options.threads = threadsFrom(threads);
   options.threads = options.threads == 0 ? defaultThreadCount() : options.threads;
   options.allowPartial = allowPartial;
-  if (stage != "exact" && way == "fast")
+  if (way == "fast" && (stage != "exact" || templateMesh != nullptr))
   {
-    options.way.reset(); // the default, which counts for exact meshes only
+    options.way.reset(); // the default, which counts for exact meshes without a template only
   }
   app::requireUsable(options);
 
   const Space                     ownSpace = spaceOf(space);
   const std::optional<LabelValue> chosen = labelFrom(label);
-  LabelImage                      image = labelsFrom(labels, affine, ownSpace);
+  LabelImage                      labelImage = labelsFrom(labels, affine, ownSpace);
   std::optional<ScalarImage>      densityImage;
   if (!density.is_none())
   {
     densityImage = scalarsFrom(densityName, density, densityAffine, ownSpace);
   }
-  Interruption interruption(progress);
+  const TemplateArguments tie{ landmarks, templateLandmarks, image, imageAffine, templateImage, templateImageAffine };
+  TemplateRefinement      refinement = refinementFrom(tie, templateMesh, ownSpace);
+  Interruption            interruption(progress);
   try
   {
     const py::gil_scoped_release release;
-    return meshSolidOf(std::move(image), chosen, densityImage, options, ownSpace, interruption);
+    const HexMesh * const        lattice = templateMesh == nullptr ? nullptr : &templateMesh->lattice();
+    return meshSolidOf(
+      std::move(labelImage), chosen, densityImage, options, lattice, std::move(refinement), ownSpace, interruption);
   }
   catch (const Cancelled &)
   {
@@ -187,10 +192,6 @@ PYBIND11_MODULE(_moserhex, module)
 {
   addError(module);
   module.attr("__version__") = app::version;
-  module.def("mesh", &makeMesh);
-  module.def("read", &readMesh);
-  module.def("read_labels", &readLabels);
-
   py::class_<PythonMesh>(module, "Mesh")
     .def_property_readonly("nodes_per_side", &PythonMesh::nodesPerSide)
     .def_property_readonly("padding_layers", &PythonMesh::paddingLayers)
@@ -205,29 +206,11 @@ PYBIND11_MODULE(_moserhex, module)
            return self.cubeCoordinates(points, threadsFrom(threads));
          })
     .def("positions", &PythonMesh::positions)
-    .def("cell_means",
-         [](const PythonMesh &  self,
-            const py::object &  values,
-            const py::object &  affine,
-            int                 order,
-            const std::string & interpolation,
-            double              outside,
-            long long           threads) {
-           return self.cellMeans(scalarsFrom("values", values, affine, self.space()),
-                                 order,
-                                 samplingFrom(interpolation, outside),
-                                 threadsFrom(threads));
-         })
-    .def("node_samples",
-         [](const PythonMesh &  self,
-            const py::object &  values,
-            const py::object &  affine,
-            const std::string & interpolation,
-            double              outside,
-            long long           threads) {
-           return self.nodeSamples(scalarsFrom("values", values, affine, self.space()),
-                                   samplingFrom(interpolation, outside),
-                                   threadsFrom(threads));
-         })
     .def("write", &PythonMesh::write);
+  module.def("mesh", &makeMesh);
+  module.def("read", &readMesh);
+  module.def("read_labels", &readLabels);
+  addTransfer(module);
+  addComparison(module);
+  addShapeStatistics(module);
 }

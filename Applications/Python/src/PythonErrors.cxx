@@ -32,6 +32,9 @@ withArguments(std::string text)
                                                           { "--density", "density" },
                                                           { "--label", "label" },
                                                           { "--frame", "frame" },
+                                                          { "--template", "template" },
+                                                          { "--align", "align" },
+                                                          { "--padding", "padding" },
                                                           { "--shell-method", "shell_method" },
                                                           { "--threshold", "labels >= threshold" },
                                                           { "--way", "way" } };

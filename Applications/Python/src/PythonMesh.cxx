@@ -3,10 +3,7 @@
 #include "ArrayOutput.h"
 #include "Interruption.h"
 #include "moserhex/Common/Errors.h"
-#include "moserhex/CubeTransfer/CellMeans.h"
 #include "moserhex/HexMeshIO/QualityReport.h"
-
-#include <itkDensityConversion.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -115,33 +112,6 @@ PythonMesh::positions(const py::object & cubeCoordinates) const
     }
   }
   return arrayOf(all, m_Space);
-}
-
-py::array
-PythonMesh::cellMeans(const ScalarImage &          image,
-                      int                          pointsPerAxis,
-                      const ImageFunctionOptions & options,
-                      unsigned int                 threads) const
-{
-  std::vector<double> means;
-  {
-    const py::gil_scoped_release release;
-    const ScalarVolume           volume = itk::ScalarVolumeFromImage(image.image.GetPointer());
-    means = moserhex::cellMeans(m_Mesh, ImageFunction(volume, options), { pointsPerAxis, threads });
-  }
-  return cubeOf(means, m_Mesh.nodesPerSide - 1);
-}
-
-py::array
-PythonMesh::nodeSamples(const ScalarImage & image, const ImageFunctionOptions & options, unsigned int threads) const
-{
-  std::vector<double> samples;
-  {
-    const py::gil_scoped_release release;
-    const ScalarVolume           volume = itk::ScalarVolumeFromImage(image.image.GetPointer());
-    samples = moserhex::nodeSamples(m_Mesh, ImageFunction(volume, options), threads);
-  }
-  return cubeOf(samples, m_Mesh.nodesPerSide);
 }
 
 void

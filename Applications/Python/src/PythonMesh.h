@@ -3,7 +3,6 @@
 #include "ArrayInput.h"
 
 #include "moserhex/CubeTransfer/CubeMap.h"
-#include "moserhex/CubeTransfer/ImageFunction.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
 #include <memory>
@@ -70,24 +69,20 @@ public:
   [[nodiscard]] pybind11::array
   positions(const pybind11::object & cubeCoordinates) const;
 
-  /** (n-1) x (n-1) x (n-1). */
-  [[nodiscard]] pybind11::array
-  cellMeans(const ScalarImage &          image,
-            int                          pointsPerAxis,
-            const ImageFunctionOptions & options,
-            unsigned int                 threads) const;
-
-  /** n x n x n. */
-  [[nodiscard]] pybind11::array
-  nodeSamples(const ScalarImage & image, const ImageFunctionOptions & options, unsigned int threads) const;
-
   void
   write(const std::string & fileName) const;
 
-private:
-  const CubeMap &
+  [[nodiscard]] const HexMesh &
+  lattice() const
+  {
+    return m_Mesh;
+  }
+
+  /** Made when first asked for, by any thread. \throws InvalidInput  a mesh with padding */
+  [[nodiscard]] const CubeMap &
   cubeMap() const;
 
+private:
   HexMesh                  m_Mesh; ///< LPS
   HexMeshFields            m_Fields;
   Space                    m_Space;
@@ -95,7 +90,7 @@ private:
   std::string              m_Report;
 
   mutable std::once_flag                 m_MapIsMade;
-  mutable std::unique_ptr<const CubeMap> m_Map; ///< made when first asked for
+  mutable std::unique_ptr<const CubeMap> m_Map;
 };
 
 } // namespace moserhex::python

@@ -61,8 +61,8 @@ bodyOf(const CaseContent & content)
     const std::vector<CellField> fields = cellFieldsOf(*content.mesh, content.labelOfCells);
     body += viewerSection(*content.mesh, fields) + qualitySection(fields);
   }
-  return body + stageSection(report) + repairSection(report) + methodsSection(report) + provenanceSection(report) +
-         dataElement("report-data", toJson(report));
+  return body + stageSection(report) + repairSection(report) + templateSection(report) + methodsSection(report) +
+         provenanceSection(report) + dataElement("report-data", toJson(report));
 }
 
 std::string

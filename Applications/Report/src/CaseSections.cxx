@@ -1,9 +1,13 @@
 #include "CaseSections.h"
 
 #include "Assessment.h"
+#include "HtmlTable.h"
 #include "HtmlText.h"
 #include "MethodsText.h"
 #include "PageFrame.h"
+
+#include <cctype>
+#include <map>
 
 namespace moserhex::app
 {
@@ -33,29 +37,6 @@ signOf(Trust trust)
       return { "bad", "&#10005;", "Correct what the reasons marked with &#10005; say and run again." };
   }
   return {};
-}
-
-std::string
-tableRow(const std::vector<std::string> & cells)
-{
-  std::string row = "<tr>";
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-  {
-    row += cell == 0 ? "<th scope=\"row\">" + cells[cell] + "</th>" : "<td>" + cells[cell] + "</td>";
-  }
-  return row + "</tr>\n";
-}
-
-std::string
-tableText(const std::string & caption, const std::vector<std::string> & columns, const std::string & rows)
-{
-  std::string head;
-  for (const std::string & column : columns)
-  {
-    head += "<th scope=\"col\">" + column + "</th>";
-  }
-  return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption + "\"><table><caption>" +
-         caption + "</caption><thead><tr>" + head + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
 }
 
 std::string
@@ -91,6 +72,61 @@ labelsText(const RunReport::Input & input)
     text += (text.empty() ? "" : ", ") + std::to_string(label);
   }
   return text + (input.labelName.empty() ? "" : " (" + input.labelName + ")");
+}
+
+std::string
+roleText(const std::string & role)
+{
+  static const std::map<std::string, std::string> texts{
+    { "mesh", "Template" },       { "transform", "Transform of the template" },
+    { "landmarks", "Landmarks" }, { "template_landmarks", "Landmarks of the template" },
+    { "image", "Image" },         { "template_image", "Image of the template" }
+  };
+  return texts.at(role);
+}
+
+std::string
+withSmallBeginning(std::string text)
+{
+  text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+std::string
+alignmentText(const RunReport::Template & tied)
+{
+  if (tied.alignment == "none")
+  {
+    return "It was taken as it lies: both are of one scan.";
+  }
+  if (!tied.aligned)
+  {
+    return "It was brought to the label by a transform from a file.";
+  }
+  return std::string("It was brought to the label by ") +
+         (tied.alignment == "affine" ? "an affine map" : "a rigid motion") + " of the surfaces: turned by " +
+         fixedNumber(tied.aligned->angle, 1) + " degrees and moved by " + fixedNumber(tied.aligned->translation, 1) +
+         " mm.";
+}
+
+/** What a residual does and does not say. */
+std::string
+templateAdvice(const RunReport::Template & tied)
+{
+  std::string text = "What is left of the surfaces' distance is the difference in shape, which the mesh follows.";
+  if (!tied.landmarks && !tied.imageDifference)
+  {
+    return text + " Inside, surface and equal volumes alone do not show where tissue went; landmarks or images would.";
+  }
+  if (tied.landmarks)
+  {
+    text += " What is left of the landmarks' distance should not be much more than the error of placing them.";
+  }
+  if (tied.imageDifference)
+  {
+    text += " The images' difference is 0 where both show the same at the same nodes.";
+  }
+  return text;
 }
 
 } // namespace
@@ -169,7 +205,7 @@ stageSection(const RunReport & report)
   {
     columns.insert(columns.begin() + 1, "Seconds");
   }
-  std::string rows;
+  std::vector<std::vector<std::string>> rows;
   for (const StageRecord & stage : report.stages)
   {
     std::vector<std::string> cells{ escapeHtml(stage.name) };
@@ -190,7 +226,7 @@ stageSection(const RunReport & report)
       cells.insert(cells.end(), 4, "&ndash;");
     }
     cells.push_back(escapeHtml(stage.note));
-    rows += tableRow(cells);
+    rows.push_back(cells);
   }
   return section("stages", "Stage by stage", tableText("Stages of the run, in their order", columns, rows));
 }
@@ -215,21 +251,53 @@ repairSection(const RunReport & report)
           std::to_string(conditioning.voxelsRemoved) + " removed, " + shortNumber(conditioning.changedPercent, 2) +
           " % of the label. The places are in the image's own millimetres (LPS): look there in your viewer, and "
           "correct the segmentation where the repair guessed wrong.</p>\n";
-  std::string rows;
-  std::size_t number = 0;
+  std::vector<std::vector<std::string>> rows;
   for (const TopologyChange & change : conditioning.changes)
   {
-    rows += tableRow({ std::to_string(++number),
-                       escapeHtml(nameOf(change.kind)),
-                       std::to_string(change.voxels),
-                       shortNumber(static_cast<double>(change.voxels) * conditioning.voxelVolume),
-                       vectorText(change.centre, 1) });
+    rows.push_back({ std::to_string(rows.size() + 1),
+                     escapeHtml(nameOf(change.kind)),
+                     std::to_string(change.voxels),
+                     shortNumber(static_cast<double>(change.voxels) * conditioning.voxelVolume),
+                     vectorText(change.centre, 1) });
   }
   return section("repair",
                  "Repair of the label",
                  text + tableText("Changes to the label, in the order they were made",
                                   { "No.", "Kind", "Voxels", "Volume (mm&sup3;)", "Centre, LPS (mm)" },
                                   rows));
+}
+
+std::string
+templateSection(const RunReport & report)
+{
+  if (!report.templateMesh || report.failure)
+  {
+    return "";
+  }
+  const RunReport::Template &           tied = *report.templateMesh;
+  std::vector<std::vector<std::string>> rows;
+  if (tied.aligned)
+  {
+    rows.push_back(
+      { "Surfaces, root mean square (mm)", shortNumber(tied.aligned->rmsBefore), shortNumber(tied.aligned->rmsAfter) });
+  }
+  if (tied.landmarks)
+  {
+    rows.push_back(
+      { "Landmarks, root mean square (mm)", shortNumber(tied.landmarks->before), shortNumber(tied.landmarks->after) });
+  }
+  if (tied.imageDifference)
+  {
+    rows.push_back({ "Images, root mean square (standard deviations)",
+                     shortNumber(tied.imageDifference->before),
+                     shortNumber(tied.imageDifference->after) });
+  }
+  return section("template",
+                 "Tied to a template",
+                 "<p>Node (i,j,k) of this mesh is meant to be the same place as node (i,j,k) of <strong>" +
+                   escapeHtml(shortFileName(tied.files.front().name)) + "</strong>. " + alignmentText(tied) + "</p>\n" +
+                   (rows.empty() ? "" : tableText("How far the two are apart", { "Of", "Before", "After" }, rows)) +
+                   "<p>" + templateAdvice(tied) + "</p>\n");
 }
 
 std::string
@@ -283,7 +351,11 @@ provenanceSection(const RunReport & report)
   }
   if (report.templateMesh)
   {
-    list += pair("Template", report.templateMesh->file) + pair("SHA-256 of the template", report.templateMesh->sha256);
+    for (const RunReport::File & file : report.templateMesh->files)
+    {
+      const std::string role = roleText(file.role);
+      list += pair(role, file.name) + pair("SHA-256 of the " + withSmallBeginning(role), file.sha256);
+    }
   }
   list += pair("MoserHex", report.versions.moserhex + " (" + report.versions.git + ")") +
           pair("Libraries",

@@ -24,6 +24,10 @@ stageSection(const RunReport & report);
 [[nodiscard]] std::string
 repairSection(const RunReport & report);
 
+/** How the mesh was tied to another one, and how far the two are apart; empty without a template. */
+[[nodiscard]] std::string
+templateSection(const RunReport & report);
+
 [[nodiscard]] std::string
 methodsSection(const RunReport & report);
 

@@ -288,7 +288,7 @@ groupPage(const GroupContent & content)
   {
     frame.body += viewerSection(*content.mesh, content.fields);
   }
-  frame.body += dataElement("group-data", groupData(content, outliers));
+  frame.body += content.conclusion + dataElement("group-data", groupData(content, outliers));
   frame.script = content.mesh ? reportAssets()->viewerScript : reportAssets()->groupScript;
   frame.footer = "<p>Written by MoserHex " + escapeHtml(content.version) +
                  ". This page needs no network; links lead to files beside it.</p>\n" +

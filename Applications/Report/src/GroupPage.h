@@ -37,6 +37,7 @@ struct GroupContent
   std::vector<PageRow>     rows;
   std::vector<std::string> warnings;
   std::string              introduction;    ///< HTML between the counts and the table; may be empty
+  std::string              conclusion;      ///< HTML at the end; may be empty
   const HexMesh *          mesh{ nullptr }; ///< to be shown in 3-D: the mean; null: none
   std::vector<CellField>   fields;          ///< of that mesh
   std::string              version;         ///< of MoserHex

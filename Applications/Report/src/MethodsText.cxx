@@ -3,6 +3,7 @@
 #include "HtmlText.h"
 
 #include <algorithm>
+#include <map>
 
 namespace moserhex::app
 {
@@ -74,13 +75,42 @@ labelSentence(const RunReport & report, Citations & citations)
          " mm (Dice coefficient with the label " + fixedNumber(conditioning.dice, 3) + "). ";
 }
 
+/** " by ..., and bent to fill it.", and what drew it further. */
+std::string
+templateWords(const RunReport::Template & tied)
+{
+  static const std::map<std::string, std::string> ways{ { "rigid", " by a rigid motion" },
+                                                        { "affine", " by an affine map" },
+                                                        { "file", " by a registration of the scans" },
+                                                        { "none", " as it lay in the same scan" } };
+  std::string                                     text = ways.at(tied.alignment);
+  if (tied.aligned)
+  {
+    text += " (surfaces " + shortNumber(tied.aligned->rmsBefore, 2) + " mm apart before and " +
+            shortNumber(tied.aligned->rmsAfter, 2) + " mm after, root mean square)";
+  }
+  text += " and bent to fill it. ";
+  if (tied.landmarks)
+  {
+    text += "Corresponding landmarks drew it from " + shortNumber(tied.landmarks->before, 2) + " to " +
+            shortNumber(tied.landmarks->after, 2) + " mm (root mean square). ";
+  }
+  if (tied.imageDifference)
+  {
+    text += "Images of both drew it from a difference of " + shortNumber(tied.imageDifference->before, 2) + " to " +
+            shortNumber(tied.imageDifference->after, 2) + " standard deviations. ";
+  }
+  return text;
+}
+
 std::string
 latticeSentence(const RunReport & report, Citations & citations)
 {
   const std::string n = std::to_string(2 * report.parameters.shells);
   if (report.templateMesh)
   {
-    return "A template mesh of " + n + " x " + n + " x " + n + " nodes was brought to the label and bent to fill it. ";
+    return "A template mesh of " + n + " x " + n + " x " + n + " nodes was brought to the label" +
+           templateWords(*report.templateMesh);
   }
   const std::string conformal = citations.cite(angenent);
   const std::string equalAreas = citations.cite(moser);

@@ -2,6 +2,7 @@
 
 #include "ColourMap.h"
 #include "HtmlText.h"
+#include "SliceFrame.h"
 
 #include <cmath>
 
@@ -9,27 +10,6 @@ namespace moserhex::app
 {
 namespace
 {
-
-/** How a plane is drawn. Along the second coordinate of the axial plane (to the back) pictures go downwards as it does;
- * in the others it goes up, and pictures do not. */
-struct View
-{
-  const char * name;
-  const char * left;
-  const char * right;
-  const char * top;
-  const char * bottom;
-  bool         isTurned; ///< the second coordinate grows upwards
-};
-
-const View &
-viewOf(int axis)
-{
-  static constexpr std::array<View, 3> views{ { { "Sagittal", "A", "P", "S", "I", true },
-                                                { "Coronal", "R", "L", "S", "I", true },
-                                                { "Axial", "R", "L", "A", "P", false } } };
-  return views[static_cast<std::size_t>(axis)];
-}
 
 constexpr double linesPerSide = 4000.0; ///< lines are drawn on a grid of so many places along the longer side
 
@@ -116,61 +96,32 @@ meshLines(const HexMesh & mesh, const CutPlane & plane, const PlanePoint & corne
 }
 
 std::string
-letter(double x, double y, const char * text)
-{
-  return "<text x=\"" + shortNumber(x, 5) + "\" y=\"" + shortNumber(y, 5) + "\">" + text + "</text>";
-}
-
-/** A tenth to a half of the width, of a round length. */
-std::string
-scaleBar(double width, double height, double scale)
-{
-  const double third = width / 3.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(third)));
-  const double length = decade * (third / decade >= 5.0 ? 5.0 : third / decade >= 2.0 ? 2.0 : 1.0);
-  const double y = height * scale - 10.0;
-  return "<path class=\"scale\" d=\"M10 " + shortNumber(y, 5) + "h" + shortNumber(length * scale, 5) +
-         "\"/><text class=\"scale-text\" x=\"10\" y=\"" + shortNumber(y - 6.0, 5) + "\">" + shortNumber(length) +
-         " mm</text>";
-}
-
-std::string
 figure(const SliceContent & content, const Box & box, const CutPlane & plane, const std::string & id)
 {
-  const View &            view = viewOf(plane.axis);
   std::vector<LabelValue> values;
   for (const LabelEntry & entry : content.labels)
   {
     values.push_back(entry.value);
   }
   const LabelSlice slice = sliceLabels(*content.image, values, box, plane);
-  const double     width = slice.size[0] * slice.step;
-  const double     height = slice.size[1] * slice.step;
-  const double     scale = 400.0 / std::max(width, height); // pixels a mm
-  const auto       group = [&](double unit) {
-    const std::string factor = shortNumber(unit * scale, 8);
-    return view.isTurned ? "<g transform=\"translate(0 " + shortNumber(height * scale, 8) + ") scale(" + factor + " -" +
-                             factor + ")\">"
-                               : "<g transform=\"scale(" + factor + ")\">";
+  const SliceFrame frame{ plane.axis, plane.place, slice.size[0] * slice.step, slice.size[1] * slice.step };
+  const auto       group = [&frame](double unit) {
+    const std::string factor = shortNumber(unit * frame.scale(), 8);
+    return frame.isTurned() ? "<g transform=\"translate(0 " + shortNumber(frame.height * frame.scale(), 8) +
+                                ") scale(" + factor + " -" + factor + ")\">"
+                                  : "<g transform=\"scale(" + factor + ")\">";
   };
   std::string labels;
   for (std::size_t number = 0; number < values.size(); ++number)
   {
     labels += pathElement(std::string("class=\"") + labelClass(number) + "\"", labelPath(slice, values[number]));
   }
-  const double      unit = std::max(width, height) / linesPerSide;
+  const double      unit = std::max(frame.width, frame.height) / linesPerSide;
   const std::string lines = content.mesh ? meshLines(*content.mesh, plane, slice.corner, unit) : "";
-  const std::string size = shortNumber(width * scale, 6) + " " + shortNumber(height * scale, 6);
-  const char *      axisName = plane.axis == 0 ? "x" : plane.axis == 1 ? "y" : "z";
-  const double      w = width * scale;
-  const double      h = height * scale;
-  return "<figure><svg class=\"slice\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-labelledby=\"" + id +
-         "\"><title id=\"" + id + "\">" + view.name + " slice at " + axisName + " = " + fixedNumber(plane.place, 1) +
-         " mm: the label and the lines of the mesh</title>" + group(slice.step) + labels + "</g>" + group(unit) +
-         lines + "</g><g class=\"letters\">" + letter(12, h / 2, view.left) + letter(w - 12, h / 2, view.right) +
-         letter(w / 2, 18, view.top) + letter(w / 2, h - 8, view.bottom) + "</g>" + scaleBar(width, height, scale) +
-         "</svg><figcaption>" + view.name + ", " + axisName + " = " + fixedNumber(plane.place, 1) +
-         " mm</figcaption></figure>";
+  return framedSlice(frame,
+                     group(slice.step) + labels + "</g>" + group(unit) + lines + "</g>",
+                     "the label and the lines of the mesh",
+                     id);
 }
 
 } // namespace

@@ -119,3 +119,14 @@ TEST(MethodsText, SaysOfAnUnreachedGoalNothing)
   report.exact->reached = false;
   EXPECT_EQ(methodsText(report).paragraph.find("same volume"), std::string::npos);
 }
+
+TEST(MethodsText, SaysHowATemplateWasUsed)
+{
+  RunReport report = goodReport();
+  report.templateMesh = tieToTemplate();
+  const MethodsText text = methodsText(report);
+  EXPECT_NE(text.paragraph.find("by an affine map (surfaces 3.5 mm apart before and 0.25 mm after"), std::string::npos);
+  EXPECT_NE(text.paragraph.find("landmarks drew it from 2.8 to 0.38 mm"), std::string::npos);
+  EXPECT_NE(text.paragraph.find("difference of 1.2 to 0.5 standard deviations"), std::string::npos);
+  EXPECT_EQ(text.paragraph.find("conformally"), std::string::npos);
+}

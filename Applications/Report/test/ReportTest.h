@@ -36,6 +36,21 @@ goodReport()
   return report;
 }
 
+/** A template with all that can be known of it. */
+inline RunReport::Template
+tieToTemplate()
+{
+  return { { { "mesh", "folder/base.vtu", "aa" },
+             { "landmarks", "points.csv", "bb" },
+             { "template_landmarks", "base.csv", "cc" },
+             { "image", "t2.nrrd", "dd" },
+             { "template_image", "base_t2.nrrd", "ee" } },
+           "affine",
+           RunReport::Alignment{ 4.0, 12.5, 3.5, 0.25 },
+           RunReport::Residual{ 2.75, 0.375 },
+           RunReport::Residual{ 1.25, 0.5 } };
+}
+
 /** A box of 4 x 6 x 8 voxels of 1 x 1 x 2 mm, voxel (3,3,3) the first of them, in an image of 12^3 voxels. */
 inline LabelVolume
 boxLabel()

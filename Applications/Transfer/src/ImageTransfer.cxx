@@ -1,6 +1,8 @@
 #include "ImageTransfer.h"
 
 #include "CommandErrors.h"
+#include "LabelShares.h"
+#include "SubjectFunction.h"
 #include "TransferFiles.h"
 #include "moserhex/CubeTransfer/CubeAxes.h"
 #include "moserhex/CubeTransfer/CubeImage.h"
@@ -10,9 +12,6 @@
 #include "moserhex/CubeTransfer/GridSamples.h"
 
 #include <algorithm>
-#include <atomic>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -21,110 +20,11 @@ namespace moserhex::app
 namespace
 {
 
-constexpr std::size_t mostFractions = 256;
-
 /** Boxes of the cube along each axis. \throws UsageError  not a number, or nodes */
 int
-boxesPerAxis(const TransferOptions & options, int cellsPerAxis)
+boxesOf(const TransferOptions & options, const HexMesh & mesh)
 {
-  if (options.sampling == "cells")
-  {
-    return cellsPerAxis;
-  }
-  int          number = 0;
-  const char * end = options.sampling.data() + options.sampling.size();
-  const auto   parsed = std::from_chars(options.sampling.data(), end, number);
-  if (parsed.ec != std::errc() || parsed.ptr != end || number < 1 || number > 1000)
-  {
-    throw UsageError("--sampling " + options.sampling + ": need cells, nodes, or a number from 1 to 1000");
-  }
-  return number;
-}
-
-ImageInterpolation
-interpolationOf(const TransferOptions & options)
-{
-  return options.nearest || options.labels ? ImageInterpolation::Nearest : ImageInterpolation::Linear;
-}
-
-/** A subject's image as a function of the cube. Points beyond the image are background, and counted. */
-class SubjectFunction
-{
-public:
-  SubjectFunction(const TransferImage & image, const TransferOptions & options)
-    : m_Field(image.volume, interpolationOf(options)), m_Components(image.volume.components), m_Options(options)
-  {}
-
-  [[nodiscard]] int
-  components() const
-  {
-    return m_Components;
-  }
-
-  void
-  operator()(const CubePoint & point, double * values) const
-  {
-    ++m_Asked;
-    if (!m_Field.evaluate(point.position, values))
-    {
-      ++m_Beyond;
-      std::fill_n(values, m_Components, m_Options.background);
-      return;
-    }
-    if (m_Options.rotate)
-    {
-      turn(rotationPart(point.jacobian).transpose(), m_Components, values);
-    }
-  }
-
-  /** \throws BadInput (Geometry)  no point was in the image; warns when some were not */
-  void
-  requireCover(const TransferLog & log) const
-  {
-    if (m_Beyond > 0 && m_Beyond == m_Asked)
-    {
-      throw BadInput(ErrorCode::Geometry,
-                     m_Options.input,
-                     "the image does not reach the mesh",
-                     "give the image of the same scan, both in LPS millimetres");
-    }
-    if (m_Beyond > 0)
-    {
-      char text[120];
-      std::snprintf(text,
-                    sizeof text,
-                    ": %.3g %% of the mesh lies beyond the image: background there",
-                    100.0 * static_cast<double>(m_Beyond) / static_cast<double>(m_Asked));
-      log.warn(m_Options.input + text);
-    }
-  }
-
-private:
-  FieldFunction                    m_Field;
-  int                              m_Components;
-  const TransferOptions &          m_Options;
-  mutable std::atomic<std::size_t> m_Asked{ 0 };
-  mutable std::atomic<std::size_t> m_Beyond{ 0 };
-};
-
-/** Two Gauss points for each voxel along the edge of a box of mean volume. */
-CubeMeanOptions
-meanOptions(const TransferOptions & options, const HexMesh & mesh, const VoxelGrid & image)
-{
-  constexpr double          fewest = 4.0;
-  constexpr double          most = 48.0;
-  const std::vector<double> volumes = cellVolumes(mesh);
-  const double              volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  CubeMeanOptions           result;
-  result.samplesPerAxis = boxesPerAxis(options, mesh.nodesPerSide - 1);
-  result.threads = options.threads;
-  const double parts = std::max(result.samplesPerAxis, mesh.nodesPerSide - 1);
-  const double edge = std::cbrt(volume) / parts;
-  result.pointsPerAxis =
-    options.pointsPerAxis > 0
-      ? options.pointsPerAxis
-      : static_cast<int>(std::clamp(std::ceil(2.0 * edge / image.spacing.minCoeff()), fewest, most));
-  return result;
+  return boxesPerAxis("--sampling", options.sampling, mesh.nodesPerSide - 1);
 }
 
 /** Mean times volume. */
@@ -136,6 +36,21 @@ massesOf(FieldVolume means, const std::vector<double> & volumes)
     std::for_each(means.at(box), means.at(box) + means.components, [&](double & value) { value *= volumes[box]; });
   }
   return means;
+}
+
+/** The image with background where its voxels have no data. */
+FieldVolume
+withBackground(const TransferImage & image, double background)
+{
+  FieldVolume result = image.volume;
+  for (std::size_t voxel = 0; voxel < image.hasValue.size(); ++voxel)
+  {
+    if (image.hasValue[voxel] == 0)
+    {
+      std::fill_n(result.at(voxel), result.components, background);
+    }
+  }
+  return result;
 }
 
 std::string
@@ -152,56 +67,6 @@ sumOf(const FieldVolume & image)
   return std::accumulate(image.values.begin(), image.values.end(), 0.0);
 }
 
-/** Of every box the part of its volume in each label, 0 first. */
-CubeMeans
-labelFractions(const HexMesh &         mesh,
-               const SubjectFunction & f,
-               const TransferImage &   image,
-               const CubeMeanOptions & options)
-{
-  if (image.labels.size() >= mostFractions)
-  {
-    throw UsageError("--labels: " + std::to_string(image.labels.size()) + " labels, at most " +
-                     std::to_string(mostFractions - 1) + " by cells; take --sampling nodes");
-  }
-  std::vector<double> labels{ 0.0 };
-  std::transform(image.labels.begin(), image.labels.end(), std::back_inserter(labels), [](const LabelEntry & entry) {
-    return static_cast<double>(entry.value);
-  });
-  const auto indicators = [&f, &labels](const CubePoint & point, double * values) {
-    double label = 0.0;
-    f(point, &label);
-    std::transform(labels.begin(), labels.end(), values, [label](double other) { return label == other ? 1.0 : 0.0; });
-  };
-  return cubeMeans(mesh, indicators, static_cast<int>(labels.size()), options);
-}
-
-/** The label with the largest part of each box, of equal ones the smallest. */
-FieldVolume
-majority(const FieldVolume & fractions, const std::vector<LabelEntry> & labels)
-{
-  FieldVolume result{ fractions, 1, {} };
-  for (std::size_t box = 0; box < fractions.gridVoxels(); ++box)
-  {
-    const double * const first = fractions.at(box);
-    const auto           largest = std::max_element(first, first + fractions.components) - first;
-    result.values.push_back(largest == 0 ? 0.0 : labels[static_cast<std::size_t>(largest - 1)].value);
-  }
-  return result;
-}
-
-/** Without the first component, the background's. */
-FieldVolume
-withoutBackground(const FieldVolume & fractions)
-{
-  FieldVolume result{ fractions, fractions.components - 1, {} };
-  for (std::size_t box = 0; box < fractions.gridVoxels(); ++box)
-  {
-    result.values.insert(result.values.end(), fractions.at(box) + 1, fractions.at(box) + fractions.components);
-  }
-  return result;
-}
-
 FieldVolume
 imageOfCube(const HexMesh &         mesh,
             const TransferImage &   image,
@@ -213,7 +78,7 @@ imageOfCube(const HexMesh &         mesh,
   {
     return cubeNodeSamples(mesh, std::cref(f), f.components(), options.threads);
   }
-  const CubeMeanOptions means = meanOptions(options, mesh, image.volume);
+  const CubeMeanOptions means = meanOptions(options, boxesOf(options, mesh), mesh, image.volume);
   if (options.labels)
   {
     const FieldVolume fractions = labelFractions(mesh, f, image, means).image;
@@ -251,7 +116,7 @@ toCube(const TransferOptions & options, const TransferLog & log)
   }
   const TransferImage   image = readTransferImage(options, log);
   const HexMesh         mesh = readTransferMesh(options.mesh, options);
-  const SubjectFunction f(image, options);
+  const SubjectFunction f(image.volume, image.hasValue, options);
   const FieldVolume     result = imageOfCube(mesh, image, f, options, log);
   f.requireCover(log);
   write(options.toCube, result, options, log);
@@ -339,14 +204,17 @@ cubeToImage(const TransferOptions & options, const TransferLog & log)
   if (options.conserve)
   {
     const std::vector<double> volumes = cubeVolumes(mesh, { cube.volume.size[0], 2, options.threads });
-    writeMasses(mesh, massesOf(cube.volume, volumes), grid, options, log);
+    writeMasses(mesh, massesOf(withBackground(cube, options.background), volumes), grid, options, log);
     return;
   }
-  const FieldFunction field(cube.volume, interpolationOf(options));
+  const FieldFunction field(cube.volume, cube.hasValue, interpolationOf(options));
   const int           components = cube.volume.components;
   const CubeFunction  f = [&](const CubePoint & point, double * values) {
-    (void)field.evaluate(point.cube, values); // the whole cube is in it
-    if (options.rotate)
+    if (!field.evaluate(point.cube, values)) // beyond a mask: the whole cube is in the image
+    {
+      std::fill_n(values, components, options.background);
+    }
+    else if (options.rotate)
     {
       turn(rotationPart(point.jacobian), components, values);
     }
@@ -361,11 +229,11 @@ subjectToSubject(const TransferOptions & options, const TransferLog & log)
   const HexMesh         from = readTransferMesh(options.mesh, options);
   const HexMesh         to = readTransferMesh(options.toMesh, options);
   const VoxelGrid       grid = readTargetGrid(options, to);
-  const SubjectFunction subject(image, options);
+  const SubjectFunction subject(image.volume, image.hasValue, options);
   if (options.conserve)
   {
-    const CubeMeans means =
-      cubeMeans(from, std::cref(subject), subject.components(), meanOptions(options, from, image.volume));
+    const CubeMeans means = cubeMeans(
+      from, std::cref(subject), subject.components(), meanOptions(options, boxesOf(options, from), from, image.volume));
     subject.requireCover(log);
     writeMasses(to, massesOf(means.image, means.volumes), grid, options, log);
     return;
@@ -396,6 +264,10 @@ requireImageOptions(const TransferOptions & options)
   if (options.fractions && (!options.labels || options.toCube.empty()))
   {
     throw UsageError("--fractions needs --labels and --to-cube");
+  }
+  if (!options.valuesIn.empty() && !options.rotate)
+  {
+    throw UsageError("--values-in is of --rotate");
   }
   if (options.conserve && options.rotate)
   {

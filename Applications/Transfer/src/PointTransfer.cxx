@@ -32,10 +32,10 @@ requirePointOptions(const TransferOptions & options)
     throw UsageError(
       fileMessage(options.toPoints, "not the name of a list of points", "give .fcsv, .mrk.json, .csv or .tsv"));
   }
-  if (options.labels || options.conserve || options.rotate || options.nearest || !options.like.empty() ||
-      !options.spacing.empty())
+  if (options.labels || options.conserve || options.rotate || !options.valuesIn.empty() || options.nearest ||
+      !options.like.empty() || !options.spacing.empty())
   {
-    throw UsageError("--labels, --conserve, --rotate, --nearest, --like and --spacing are for images");
+    throw UsageError("--labels, --conserve, --rotate, --values-in, --nearest, --like and --spacing are for images");
   }
 }
 

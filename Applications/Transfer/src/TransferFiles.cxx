@@ -40,7 +40,37 @@ readLabels(const TransferOptions & options, const TransferLog & log)
                    "number the labels from 1");
   }
   const LabelValues values = labelValuesOf(*image.image);
-  return { FieldVolume{ values, 1, { values.values.begin(), values.values.end() } }, image.labels };
+  return { FieldVolume{ values, 1, { values.values.begin(), values.values.end() } }, {}, image.labels };
+}
+
+/** Of vectors or tensors that are to be turned. */
+void
+putIntoLps(const TransferOptions & options, FieldImage & image)
+{
+  FieldVolume & volume = image.volume;
+  if (!canBeTurned(volume.components))
+  {
+    throw BadInput(ErrorCode::PixelType,
+                   options.input,
+                   std::to_string(volume.components) + " numbers per voxel, --rotate needs vectors (3) or symmetric "
+                                                       "tensors (6)",
+                   "leave --rotate out");
+  }
+  if (options.valuesIn.empty() && !image.valuesInLps)
+  {
+    throw BadInput(ErrorCode::Geometry,
+                   options.input,
+                   "the vectors or tensors are not known to be in LPS",
+                   "say --values-in LPS or RAS, or leave --rotate out");
+  }
+  if (options.valuesIn == "RAS")
+  {
+    const Matrix3 toLps = Vector3(-1.0, -1.0, 1.0).asDiagonal();
+    for (std::size_t voxel = 0; voxel < volume.gridVoxels(); ++voxel)
+    {
+      turn(toLps, volume.components, volume.at(voxel));
+    }
+  }
 }
 
 /** Around the mesh, with centres half a voxel within its box's ends. */
@@ -109,22 +139,11 @@ readTransferImage(const TransferOptions & options, const TransferLog & log)
   }
   FieldImage image = readFieldImage(options.input, { options.sandbox });
   tell(log, image.warnings);
-  if (options.rotate && !canBeTurned(image.volume.components))
+  if (options.rotate)
   {
-    throw BadInput(ErrorCode::PixelType,
-                   options.input,
-                   std::to_string(image.volume.components) + " numbers per voxel, --rotate needs vectors (3) or "
-                                                             "symmetric tensors (6)",
-                   "leave --rotate out");
+    putIntoLps(options, image);
   }
-  if (options.rotate && !image.valuesInLps)
-  {
-    throw BadInput(ErrorCode::Geometry,
-                   options.input,
-                   "the vectors or tensors are in another space than LPS, or have a measurement frame",
-                   "convert them to LPS, or leave --rotate out");
-  }
-  return { std::move(image.volume), {} };
+  return { std::move(image.volume), std::move(image.hasValue), {} };
 }
 
 VoxelGrid

@@ -16,8 +16,9 @@ namespace moserhex::app
 /** An image to transfer. Labels are numbers of one component. */
 struct TransferImage
 {
-  FieldVolume             volume;
-  std::vector<LabelEntry> labels; ///< of a labelmap, ascending, 0 apart
+  FieldVolume                volume;
+  std::vector<unsigned char> hasValue; ///< as in FieldImage
+  std::vector<LabelEntry>    labels;   ///< of a labelmap, ascending, 0 apart
 };
 
 /** Reads a lattice that may be transferred by: no padding, all cells of positive volume.
@@ -25,9 +26,9 @@ struct TransferImage
 [[nodiscard]] HexMesh
 readTransferMesh(const std::string & fileName, const TransferOptions & options);
 
-/** Reads the input, as labels or numbers, and tells its warnings.
- * \throws BadInput (Geometry)  it is to be turned and its values are not in LPS, (PixelType) or are neither vectors nor
- * tensors; IOError */
+/** Reads the input, as labels or numbers, and tells its warnings. What is to be turned is put into LPS.
+ * \throws BadInput (Geometry)  it is to be turned and nothing says in which space its values are, (PixelType) or they
+ * are neither vectors nor tensors; IOError */
 [[nodiscard]] TransferImage
 readTransferImage(const TransferOptions & options, const TransferLog & log);
 

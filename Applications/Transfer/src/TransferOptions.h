@@ -21,6 +21,7 @@ struct TransferOptions
   bool                fractions{ false };
   bool                conserve{ false };
   bool                rotate{ false };
+  std::string         valuesIn; ///< "LPS" or "RAS": space of vectors and tensors to rotate; empty: as the file says
   bool                nearest{ false };
   double              background{ 0.0 };
   int                 pointsPerAxis{ 0 }; ///< Gauss points; 0: two for each voxel along a cell

@@ -63,6 +63,30 @@ cubeCoordinates(const HexMesh & mesh)
   return coordinates;
 }
 
+std::vector<int>
+shellOfCells(const HexMesh & mesh)
+{
+  const int        m = mesh.nodesPerSide - 1;
+  const int        shells = mesh.nodesPerSide / 2;
+  const auto       layers = [m](int index) { return std::min(index, m - 1 - index); };
+  std::vector<int> shellOfCell;
+  for (int k = 0; k < m; ++k)
+  {
+    for (int j = 0; j < m; ++j)
+    {
+      for (int i = 0; i < m; ++i)
+      {
+        shellOfCell.push_back(shells - std::min({ layers(i), layers(j), layers(k) }));
+      }
+    }
+  }
+  for (std::size_t cell = mesh.latticeCellCount(); cell < mesh.cellCount(); ++cell)
+  {
+    shellOfCell.push_back(shells + pillowCell(mesh, cell).layer);
+  }
+  return shellOfCell;
+}
+
 std::vector<std::size_t>
 boundaryNodes(const HexMesh & mesh)
 {
@@ -99,30 +123,6 @@ boundaryQuads(const HexMesh & mesh)
     }
   }
   return quads;
-}
-
-std::vector<int>
-shellOfCells(const HexMesh & mesh)
-{
-  const int        m = mesh.nodesPerSide - 1;
-  const int        shells = mesh.nodesPerSide / 2;
-  const auto       layers = [m](int index) { return std::min(index, m - 1 - index); };
-  std::vector<int> shellOfCell;
-  for (int k = 0; k < m; ++k)
-  {
-    for (int j = 0; j < m; ++j)
-    {
-      for (int i = 0; i < m; ++i)
-      {
-        shellOfCell.push_back(shells - std::min({ layers(i), layers(j), layers(k) }));
-      }
-    }
-  }
-  for (std::size_t cell = mesh.latticeCellCount(); cell < mesh.cellCount(); ++cell)
-  {
-    shellOfCell.push_back(shells + pillowCell(mesh, cell).layer);
-  }
-  return shellOfCell;
 }
 
 } // namespace moserhex

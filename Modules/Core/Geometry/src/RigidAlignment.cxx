@@ -77,6 +77,16 @@ align(const Positions & moving, const Positions & fixed, bool withScale)
 
 } // namespace
 
+SimilarityTransform
+SimilarityTransform::inverse() const
+{
+  SimilarityTransform back;
+  back.scale = 1.0 / scale;
+  back.rotation = rotation.transpose();
+  back.translation = -back.scale * (back.rotation * translation);
+  return back;
+}
+
 double
 SimilarityTransform::angle() const
 {

@@ -17,12 +17,12 @@ constexpr std::size_t faceCorners[6][4] = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0,
                                             { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
 
 Quadrilateral
-faceOf(const UnstructuredHexMesh & mesh, std::size_t face)
+faceOf(const std::array<std::size_t, 8> & nodes, std::size_t face)
 {
   Quadrilateral result{};
   for (std::size_t corner = 0; corner < 4; ++corner)
   {
-    result[corner] = mesh.cells[face / 6][faceCorners[face % 6][corner]];
+    result[corner] = nodes[faceCorners[face][corner]];
   }
   return result;
 }
@@ -131,10 +131,24 @@ cellVolumes(const UnstructuredHexMesh & mesh)
 std::vector<Quadrilateral>
 boundaryFaces(const UnstructuredHexMesh & mesh)
 {
-  std::vector<Quadrilateral> keys(6 * mesh.cells.size());
+  std::vector<std::size_t> cells(mesh.cells.size());
+  std::iota(cells.begin(), cells.end(), std::size_t{ 0 });
+  std::vector<Quadrilateral> faces;
+  for (const BoundaryFace & face : boundaryFacesOf(mesh, cells))
+  {
+    faces.push_back(face.nodes);
+  }
+  return faces;
+}
+
+std::vector<BoundaryFace>
+boundaryFacesOf(const UnstructuredHexMesh & mesh, const std::vector<std::size_t> & cells)
+{
+  const auto                 faceAt = [&](std::size_t face) { return faceOf(mesh.cells[cells[face / 6]], face % 6); };
+  std::vector<Quadrilateral> keys(6 * cells.size());
   for (std::size_t face = 0; face < keys.size(); ++face)
   {
-    keys[face] = faceOf(mesh, face);
+    keys[face] = faceAt(face);
     std::sort(keys[face].begin(), keys[face].end());
   }
   std::vector<std::size_t> order(keys.size());
@@ -157,11 +171,11 @@ boundaryFaces(const UnstructuredHexMesh & mesh)
     begin = end;
   }
   std::sort(single.begin(), single.end());
-  std::vector<Quadrilateral> faces;
+  std::vector<BoundaryFace> faces;
   faces.reserve(single.size());
   for (const std::size_t face : single)
   {
-    faces.push_back(faceOf(mesh, face));
+    faces.push_back({ cells[face / 6], faceAt(face) });
   }
   return faces;
 }

@@ -155,3 +155,13 @@ TEST(RigidAlignment, RefusesWhatHasNoSingleAnswer)
   }
   EXPECT_NE(refusal(octahedron, inverted).find("is not determined"), std::string::npos);
 }
+
+TEST(SimilarityTransform, ItsInverseTakesPointsBack)
+{
+  SimilarityTransform transform;
+  transform.scale = 1.3;
+  transform.rotation = Eigen::AngleAxis<double>(0.7, Vector3(1, 2, -1).normalized()).toRotationMatrix();
+  transform.translation = Vector3(10, -20, 5);
+  const Vector3 p(3, 4, 5);
+  EXPECT_LT((transform.inverse()(transform(p)) - p).norm(), 1e-13);
+}

@@ -73,6 +73,22 @@ TEST(UnstructuredHexMesh, FaceOfTwoCellsIsInsideWhateverTheOrderOfItsCorners)
   EXPECT_EQ(boundaryFaces(mesh).size(), 10U);
 }
 
+TEST(UnstructuredHexMesh, PartOfAMeshHasABoundaryOfItsOwn)
+{
+  const UnstructuredHexMesh mesh = unstructured(analytic::cubeLattice(4)); // 3 x 3 x 3 cells
+  const auto                faces = boundaryFacesOf(mesh, { 14, 13 });     // the middle one and its neighbour along i
+  ASSERT_EQ(faces.size(), 10U);
+  for (std::size_t face = 0; face < 10; ++face)
+  {
+    EXPECT_EQ(faces[face].cell, face < 5 ? 14U : 13U) << face;
+    for (const std::size_t node : faces[face].nodes)
+    {
+      const auto & nodes = mesh.cells[faces[face].cell];
+      EXPECT_EQ(std::count(nodes.begin(), nodes.end(), node), 1) << face;
+    }
+  }
+}
+
 TEST(UnstructuredHexMesh, BrokenMeshesAreRefusedByName)
 {
   EXPECT_NE(refusalOf({ { Vector3::Zero() }, {} }).find("without cells"), std::string::npos);

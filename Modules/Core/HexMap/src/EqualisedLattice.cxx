@@ -73,10 +73,9 @@ EqualisedLattice::makeOptimiser() const
                              static_cast<double>(mesh().cellCount()),
                              m_Problem.options.threads);
   optimiser.attraction().setLevel(m_State.level / edge);
-  if (!m_Problem.options.reference.empty())
+  if (m_Problem.options.ties.any())
   {
-    optimiser.setReference(latticeVector(optimiser.layout(), m_Problem.options.reference, m_Origin, edge),
-                           m_Problem.options.referenceWeight);
+    optimiser.setTies(TieEnergy(optimiser.layout(), m_Problem.options.ties, m_Origin, edge));
   }
   return optimiser;
 }

@@ -1,7 +1,6 @@
 #include "LatticeOptimiser.h"
 
 #include "BezierBarrier.h"
-#include "DisplacementEnergy.h"
 #include "ScaledJacobianBarrier.h"
 #include "ShapeEnergy.h"
 
@@ -68,10 +67,9 @@ LatticeOptimiser::setCornerBarrier(std::vector<std::size_t> cells, double goal, 
 }
 
 void
-LatticeOptimiser::setReference(Eigen::VectorXd reference, double weight)
+LatticeOptimiser::setTies(TieEnergy ties)
 {
-  m_Reference = std::move(reference);
-  m_ReferenceWeight = weight;
+  m_Ties = std::move(ties);
 }
 
 double
@@ -82,10 +80,7 @@ LatticeOptimiser::energy(const Eigen::VectorXd & x, const EqualisationStage & st
   double                   value = addShapeEnergy(m_Layout, x, m_TargetVolumes, weights, m_Threads, gradient);
   value += m_Attraction.addEnergy(x, stage.surfaceWeight, gradient);
   value += m_Coverage.addEnergy(x, stage.surfaceWeight, gradient);
-  if (m_ReferenceWeight > 0.0)
-  {
-    value += addDisplacementEnergy(m_Layout, x, m_Reference, m_ReferenceWeight, m_Threads, gradient);
-  }
+  value += m_Ties.add(m_Layout, x, m_Threads, gradient);
   if (m_BarrierWeight > 0.0)
   {
     value += addBezierBarrier(m_Layout, x, m_BarrierCells, m_BarrierMargin, m_BarrierWeight, gradient);

@@ -3,6 +3,7 @@
 #include "EmbeddedOperator.h"
 #include "SurfaceAttraction.h"
 #include "SurfaceCoverage.h"
+#include "TieEnergy.h"
 #include "moserhex/Common/StepReport.h"
 #include "moserhex/HexMap/VolumeEqualisation.h"
 #include "moserhex/Numerics/LimitedMemoryBfgs.h"
@@ -65,9 +66,9 @@ public:
   void
   setCornerBarrier(std::vector<std::size_t> cells, double goal, double weight);
 
-  /** Positions that the lattice is not to be bent against (DisplacementEnergy.h); weight 0: none. */
+  /** What the lattice is tied to. */
   void
-  setReference(Eigen::VectorXd reference, double weight);
+  setTies(TieEnergy ties);
 
   /** E and its gradient at x. */
   [[nodiscard]] double
@@ -93,8 +94,7 @@ private:
   std::vector<std::size_t> m_CornerCells;
   double                   m_CornerGoal{ 1.0 };
   double                   m_CornerWeight{ 0.0 };
-  Eigen::VectorXd          m_Reference;
-  double                   m_ReferenceWeight{ 0.0 };
+  TieEnergy                m_Ties;
 };
 
 } // namespace moserhex

@@ -4,6 +4,7 @@
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Geometry/ClosestPoint.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
+#include "moserhex/Geometry/QuadFans.h"
 
 #include <Eigen/Geometry>
 
@@ -40,23 +41,7 @@ SurfaceCoverage::SurfaceCoverage(const LatticeLayout & layout, Positions surface
 void
 SurfaceCoverage::associate(const Eigen::VectorXd & x)
 {
-  TriangleMesh boundary;
-  for (const auto & quad : m_Quads)
-  {
-    const auto first = static_cast<VertexIndex>(boundary.vertices.size());
-    Vector3    centre = Vector3::Zero();
-    for (const std::size_t node : quad)
-    {
-      boundary.vertices.push_back(m_Layout.at(x, node));
-      centre += 0.25 * boundary.vertices.back();
-    }
-    boundary.vertices.push_back(centre);
-    for (VertexIndex side = 0; side < 4; ++side)
-    {
-      boundary.triangles.push_back({ first + side, first + (side + 1) % 4, first + 4 });
-    }
-  }
-  const ClosestPointSearch           search(boundary);
+  const ClosestPointSearch search(quadFans(m_Quads, [this, &x](std::size_t node) { return m_Layout.at(x, node); }));
   std::vector<ClosestPointOnSurface> nearest(m_SurfacePoints.size());
   m_Nearest.resize(nearest.size(), -1);
   parallelForBlocks(nearest.size(), pointsPerBlock, m_Threads, [&](std::size_t begin, std::size_t end) {

@@ -54,6 +54,25 @@ requireStages(const std::vector<EqualisationStage> & stages)
   }
 }
 
+void
+requireTies(const LatticeTies & ties, const HexMesh & start)
+{
+  require(ties.reference.empty() || ties.reference.size() == start.nodes.size(),
+          "a reference must have as many nodes as the start");
+  require(ties.referenceWeight >= 0.0 && ties.landmarkWeight >= 0.0 && ties.imageWeight >= 0.0,
+          "the weights of ties must not be negative");
+  require(!ties.image || ties.image->values.size() == latticeSamplesPerCell * start.latticeCellCount(),
+          "an image must have a value wanted at every sample of the lattice");
+  for (const LatticeLandmark & landmark : ties.landmarks)
+  {
+    require(std::all_of(landmark.nodes.begin(),
+                        landmark.nodes.end(),
+                        [&start](std::size_t node) { return node < start.nodes.size(); }),
+            "a landmark lies on a node that does not exist");
+    require(landmark.position.allFinite(), "a landmark belongs at a point that is not finite");
+  }
+}
+
 /** Smaller is better. */
 auto
 badness(const EqualisationResult & result, double tolerance)
@@ -137,11 +156,10 @@ equaliseMeasures(const HexMesh &             start,
   const bool isPadded = start.paddingLayers > 0;
   require(n >= start.nodesPerSide, "the lattice wanted is coarser than the one given");
   require(!isPadded || n == start.nodesPerSide, "a mesh with padding is not refined");
-  const bool isTied = !options.reference.empty();
+  const bool isTied = options.ties.any();
   const bool keepsSize = isPadded || isTied;
-  require(!isTied || (!isPadded && n == start.nodesPerSide && options.reference.size() == start.nodes.size()),
-          "a reference must have as many nodes as the start, which is neither padded nor refined");
-  require(options.referenceWeight >= 0.0, "the weight of the reference must not be negative");
+  require(!isTied || (!isPadded && n == start.nodesPerSide), "a mesh that is tied is neither padded nor refined");
+  requireTies(options.ties, start);
 
   const Stopwatch           stopwatch;
   const EqualisationProblem problem{
@@ -159,7 +177,12 @@ equaliseMeasures(const HexMesh &             start,
     }
     result.steps = std::move(other.steps);
   };
-  if (n == start.nodesPerSide && !result.exact)
+  const bool isDrawn = !options.ties.landmarks.empty() || options.ties.image.has_value();
+  if (isDrawn)
+  {
+    result = equalisedDirectly(start, problem, progress);
+  }
+  else if (n == start.nodesPerSide && !result.exact)
   {
     keepBetter(equalisedDirectly(start, problem, progressBetween(progress, 0.0, keepsSize ? 1.0 : 0.5)));
   }

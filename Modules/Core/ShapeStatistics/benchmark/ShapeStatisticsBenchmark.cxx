@@ -84,7 +84,7 @@ BM_PermutationTest(benchmark::State & state)
   const MatrixTable  table(matrixOf(subjectsOf(static_cast<std::size_t>(count))));
   Random             random(2);
   LinearDesign       design{ Eigen::VectorXd::Zero(count), normalMatrix(count, 1, random) };
-  design.effect.tail(count / 2).setOnes();
+  design.effect.bottomRows(count / 2).setOnes();
   PermutationOptions options;
   options.permutations = 1000;
   for (auto _ : state)

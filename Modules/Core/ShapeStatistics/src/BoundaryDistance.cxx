@@ -2,6 +2,7 @@
 
 #include "moserhex/Geometry/ClosestPoint.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
+#include "moserhex/Geometry/Pseudonormals.h"
 #include "moserhex/Geometry/UnstructuredHexMesh.h"
 
 #include <cmath>
@@ -12,7 +13,36 @@ namespace moserhex
 namespace
 {
 
-/** Vertices are the mesh's nodes on its boundary. */
+struct Boundary
+{
+  TriangleMesh       surface;
+  Positions          normals;
+  ClosestPointSearch search;
+  Pseudonormals      sides;
+
+  explicit Boundary(TriangleMesh triangles)
+    : surface(std::move(triangles)), normals(vertexNormals(surface)), search(surface), sides(surface)
+  {}
+
+  double
+  distance(const Vector3 & point, Vector3 & gradient) const
+  {
+    const ClosestPointOnSurface closest = search.closest(point);
+    const Triangle &            corners = surface.triangles[static_cast<std::size_t>(closest.triangle)];
+    gradient.setZero();
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      gradient +=
+        closest.barycentric[static_cast<Eigen::Index>(corner)] * normals[static_cast<std::size_t>(corners[corner])];
+    }
+    gradient.normalize();
+    const double length = std::sqrt(closest.squaredDistance);
+    return (point - closest.point).dot(sides.at(closest)) < 0.0 ? -length : length;
+  }
+};
+
+} // namespace
+
 TriangleMesh
 boundaryTriangles(const HexMesh & mesh)
 {
@@ -31,35 +61,6 @@ boundaryTriangles(const HexMesh & mesh)
   }
   return surface;
 }
-
-struct Boundary
-{
-  TriangleMesh       surface;
-  Positions          normals;
-  ClosestPointSearch search;
-
-  explicit Boundary(TriangleMesh triangles)
-    : surface(std::move(triangles)), normals(vertexNormals(surface)), search(surface)
-  {}
-
-  double
-  distance(const Vector3 & point, Vector3 & gradient) const
-  {
-    const ClosestPointOnSurface closest = search.closest(point);
-    const Triangle &            corners = surface.triangles[static_cast<std::size_t>(closest.triangle)];
-    gradient.setZero();
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      gradient +=
-        closest.barycentric[static_cast<Eigen::Index>(corner)] * normals[static_cast<std::size_t>(corners[corner])];
-    }
-    gradient.normalize();
-    const double length = std::sqrt(closest.squaredDistance);
-    return (point - closest.point).dot(gradient) < 0.0 ? -length : length;
-  }
-};
-
-} // namespace
 
 SignedDistance
 boundaryDistance(const HexMesh & mesh)

@@ -1,10 +1,10 @@
 #include "moserhex/ShapeStatistics/PermutationTest.h"
 
 #include "Arrangements.h"
+#include "OrthonormalDesign.h"
 #include "Slabs.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 #include <cmath>
 #include <limits>
@@ -19,10 +19,9 @@ using Vector = Eigen::VectorXd;
 
 constexpr std::size_t  placesPerBlock = 256;
 constexpr Eigen::Index ordersPerBatch = 64;
-constexpr double       smallestLeftOver = 1e-10; ///< of the effect's squares, after the nuisance
-constexpr double       ridge = 1e-12;            ///< of the trace, added to a scatter
-constexpr double       roundOff = 1e-24;         ///< of the sum of squares: a scatter below it is none
-constexpr double       tie = 1e-10;              ///< explained parts that differ by less, relatively, are equal
+constexpr double       ridge = 1e-12;    ///< of the trace, added to a scatter
+constexpr double       roundOff = 1e-24; ///< of the sum of squares: a scatter below it is none
+constexpr double       tie = 1e-10;      ///< explained parts that differ by less, relatively, are equal
 
 void
 requireArguments(const SubjectTable & table, const LinearDesign & design, const PermutationOptions & options)
@@ -35,8 +34,9 @@ requireArguments(const SubjectTable & table, const LinearDesign & design, const 
   };
   const auto subjects = static_cast<Eigen::Index>(table.subjects());
   require(subjects <= std::numeric_limits<std::uint16_t>::max(), "more than 65535 subjects");
-  require(design.effect.size() == subjects,
-          std::to_string(design.effect.size()) + " values of the effect for " + std::to_string(subjects) + " subjects");
+  require(design.effect.cols() >= 1, "no effect");
+  require(design.effect.rows() == subjects,
+          std::to_string(design.effect.rows()) + " values of the effect for " + std::to_string(subjects) + " subjects");
   require(design.nuisance.cols() == 0 || design.nuisance.rows() == subjects,
           std::to_string(design.nuisance.rows()) + " values of the nuisance for " + std::to_string(subjects) +
             " subjects");
@@ -47,51 +47,13 @@ requireArguments(const SubjectTable & table, const LinearDesign & design, const 
           std::to_string(table.columns()) + " columns, need some for each place");
 }
 
-/** Orthonormal columns: constant and nuisance, then what is left of the effect. */
-struct OrthonormalDesign
-{
-  Matrix nuisance;            ///< N x (rank of constant and nuisance); the first is the constant
-  Vector effect;              ///< N
-  double effectLength{ 0.0 }; ///< of what was left of the effect
-};
-
-OrthonormalDesign
-orthonormalised(const LinearDesign & design)
-{
-  const Eigen::Index subjects = design.effect.size();
-  OrthonormalDesign  result;
-  result.nuisance = Matrix::Constant(subjects, 1, 1.0 / std::sqrt(static_cast<double>(subjects)));
-  if (design.nuisance.cols() > 0)
-  {
-    // Columns of equal length, so that a covariate's unit does not decide its rank.
-    Matrix centred = design.nuisance.rowwise() - design.nuisance.colwise().mean();
-    centred.colwise().normalize();
-    const Eigen::ColPivHouseholderQR<Matrix> qr(centred);
-    const Eigen::Index                       rank = qr.rank();
-    const Matrix                             basis = qr.householderQ() * Matrix::Identity(subjects, rank);
-    result.nuisance.conservativeResize(Eigen::NoChange, 1 + rank);
-    result.nuisance.rightCols(rank) = basis;
-  }
-  const Vector centred = design.effect.array() - design.effect.mean();
-  result.effect = centred - result.nuisance * (result.nuisance.transpose() * centred);
-  result.effect -= result.nuisance * (result.nuisance.transpose() * result.effect); // the rounding of the first time
-  if (!(result.effect.squaredNorm() > smallestLeftOver * centred.squaredNorm()))
-  {
-    throw InvalidInput("permutation test: the effect is constant, or the nuisance explains it");
-  }
-  result.effectLength = result.effect.norm();
-  result.effect /= result.effectLength;
-  return result;
-}
-
 /** The columns that are permuted: the effect first, then the nuisance without the constant, to which residuals are
  * orthogonal in every order. */
 Matrix
 permutedColumns(const OrthonormalDesign & design)
 {
-  Matrix columns(design.effect.size(), design.nuisance.cols());
-  columns.col(0) = design.effect;
-  columns.rightCols(design.nuisance.cols() - 1) = design.nuisance.rightCols(design.nuisance.cols() - 1);
+  Matrix columns(design.effect.rows(), design.effect.cols() + design.nuisance.cols() - 1);
+  columns << design.effect, design.nuisance.rightCols(design.nuisance.cols() - 1);
   return columns;
 }
 
@@ -132,24 +94,44 @@ whitenInPlace(Eigen::Ref<Matrix> residuals, double squares)
   residuals = factors.matrixU().solve<Eigen::OnTheRight>(residuals).eval();
 }
 
-/** r = a^T (1 - B^T B)^-1 a, the part that the effect explains of white residuals, of which the permuted nuisance
- * takes B. \param products  columns x q: a in the first row, B below */
+/** V = tr((1 - B^T B)^-1 A^T A), the part that the effect explains of white residuals, of which the permuted nuisance
+ * takes B: Pillai's trace. \param products  columns x q: A in the first `effects` rows, B below */
 double
-explainedPart(const Eigen::Ref<const Matrix> & products)
+explainedPart(const Eigen::Ref<const Matrix> & products, Eigen::Index effects)
 {
-  const auto effect = products.row(0);
-  if (products.rows() == 1)
+  const auto effect = products.topRows(effects);
+  if (products.rows() == effects)
   {
     return effect.squaredNorm();
   }
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
   const Eigen::Index q = products.cols();
-  const auto         nuisance = products.bottomRows(products.rows() - 1);
+  const auto         nuisance = products.bottomRows(products.rows() - effects);
   Small              left = Small::Identity(q, q);
   left.noalias() -= nuisance.transpose().lazyProduct(nuisance);
   left.diagonal().array() += ridge;
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1> a = effect.transpose();
-  return a.dot(left.llt().solve(a));
+  const Eigen::LLT<Small> factors(left);
+  double                  sum = 0.0;
+  for (Eigen::Index row = 0; row < effects; ++row)
+  {
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1> a = effect.row(row).transpose();
+    sum += a.dot(factors.solve(a));
+  }
+  return sum;
+}
+
+/** The larger of exactly two different values less the other; 0: there are more, or several columns. */
+double
+differenceOfTwoValues(const Matrix & effect)
+{
+  if (effect.cols() > 1)
+  {
+    return 0.0;
+  }
+  const double low = effect.minCoeff();
+  const double high = effect.maxCoeff();
+  const bool   areTwo = ((effect.array() == low) || (effect.array() == high)).all();
+  return areTwo ? high - low : 0.0;
 }
 
 class Test
@@ -160,17 +142,20 @@ public:
     , m_Options(options)
     , m_Design(orthonormalised(design))
     , m_Columns(permutedColumns(m_Design))
+    , m_Effects(design.effect.cols())
     , m_Components(static_cast<Eigen::Index>(options.componentsPerPlace))
     , m_Places(static_cast<Eigen::Index>(table.columns() / options.componentsPerPlace))
   {
-    const Eigen::Index rank = m_Design.nuisance.cols() + 1;
-    if (design.effect.size() - rank < m_Components)
+    const Eigen::Index rank = m_Design.nuisance.cols() + m_Effects;
+    const Eigen::Index subjects = design.effect.rows();
+    if (subjects - rank < m_Components)
     {
-      throw InvalidInput("permutation test: " + std::to_string(design.effect.size()) + " subjects for " +
-                         std::to_string(rank) + " effects and " + std::to_string(m_Components) + " components");
+      throw InvalidInput("permutation test: " + std::to_string(subjects) + " subjects for " + std::to_string(rank) +
+                         " effects and " + std::to_string(m_Components) + " components");
     }
-    m_Result.degreesOfFreedom = static_cast<std::size_t>(design.effect.size() - rank);
-    Matrix rows(design.effect.size(), 1 + design.nuisance.cols());
+    m_Result.degreesOfFreedom = static_cast<std::size_t>(subjects - rank);
+    m_TwoValues = differenceOfTwoValues(design.effect);
+    Matrix rows(subjects, m_Effects + design.nuisance.cols());
     rows << design.effect, design.nuisance;
     m_Arrangements = arrangementsOf(rows, options.permutations, options.seed);
     m_Result.isExact = m_Arrangements.isExact;
@@ -180,7 +165,7 @@ public:
   PermutationResult
   run()
   {
-    m_Result.slope.resize(m_Components, m_Places);
+    m_Result.slope.resize(m_Components * m_Effects, m_Places);
     m_Explained.resize(m_Places);
     m_Result.p.resize(m_Places);
     const std::size_t blocks = (static_cast<std::size_t>(m_Places) + placesPerBlock - 1) / placesPerBlock;
@@ -210,8 +195,9 @@ private:
     Matrix residuals = values - m_Design.nuisance * (m_Design.nuisance.transpose() * values);
     for (Eigen::Index place = 0; place < count; ++place)
     {
-      auto block = residuals.middleCols(q * place, q);
-      m_Result.slope.col(begin + place) = block.transpose() * m_Design.effect / m_Design.effectLength;
+      auto         block = residuals.middleCols(q * place, q);
+      const Matrix slopes = m_Design.coefficients(block);
+      m_Result.slope.col(begin + place) = Eigen::Map<const Vector>(slopes.data(), slopes.size());
       whitenInPlace(block, values.middleCols(q * place, q).squaredNorm());
     }
     return residuals;
@@ -234,7 +220,8 @@ private:
         for (Eigen::Index order = first; order < last; ++order)
         {
           const double part = explainedPart(
-            products.block(m_Columns.cols() * (order - first), m_Components * place, m_Columns.cols(), m_Components));
+            products.block(m_Columns.cols() * (order - first), m_Components * place, m_Columns.cols(), m_Components),
+            m_Effects);
           if (order == 0)
           {
             m_Explained[begin + place] = part;
@@ -284,32 +271,30 @@ private:
   setStatistics()
   {
     const double df = static_cast<double>(m_Result.degreesOfFreedom);
-    // Less the ridge's share, r stays below 1.
-    const Vector unexplained = (1.0 - m_Explained.array()).max(ridge);
-    m_Result.statistic = df * m_Explained.cwiseQuotient(unexplained);
-    m_Result.partialCorrelation = m_Explained.cwiseMin(1.0).cwiseSqrt();
+    const Vector part = m_Explained / static_cast<double>(std::min(m_Effects, m_Components));
+    // Less the ridge's share, the part stays below 1.
+    m_Result.statistic = df * part.cwiseQuotient((1.0 - part.array()).max(ridge).matrix());
+    m_Result.pillaiTrace = m_Explained;
+    m_Result.partialCorrelation = part.cwiseMin(1.0).cwiseSqrt();
+    if (m_TwoValues > 0.0)
+    {
+      // T^2 = b^T Sigma^-1 b |effect left|^2
+      m_Result.standardisedDifference = m_Result.statistic.cwiseSqrt() * (m_TwoValues / m_Design.mixing(0, 0));
+    }
   }
 
   const SubjectTable & m_Table;
   PermutationOptions   m_Options;
   OrthonormalDesign    m_Design;
   Matrix               m_Columns;
+  Eigen::Index         m_Effects;
   Eigen::Index         m_Components;
   Eigen::Index         m_Places;
   Arrangements         m_Arrangements;
   Vector               m_Explained;
+  double               m_TwoValues{ 0.0 }; ///< difference of the effect's values where it has just two
   PermutationResult    m_Result;
 };
-
-/** The larger of exactly two different values less the other; 0: there are more. */
-double
-differenceOfTwoValues(const Vector & effect)
-{
-  const double low = effect.minCoeff();
-  const double high = effect.maxCoeff();
-  const bool   areTwo = ((effect.array() == low) || (effect.array() == high)).all();
-  return areTwo ? high - low : 0.0;
-}
 
 } // namespace
 
@@ -317,15 +302,7 @@ PermutationResult
 permutationTest(const SubjectTable & table, const LinearDesign & design, const PermutationOptions & options)
 {
   requireArguments(table, design, options);
-  PermutationResult result = Test(table, design, options).run();
-  const double      difference = differenceOfTwoValues(design.effect);
-  if (difference > 0.0)
-  {
-    // T^2 = b^T Sigma^-1 b |effect left|^2
-    const double length = orthonormalised(design).effectLength;
-    result.standardisedDifference = result.statistic.cwiseSqrt() * (difference / length);
-  }
-  return result;
+  return Test(table, design, options).run();
 }
 
 Vector

@@ -2,6 +2,7 @@
 #include "moserhex/ShapeStatistics/PermutationTest.h"
 
 #include "Arrangements.h"
+#include "NullData.h"
 #include "TestShapes.h"
 #include "moserhex/Analytic/Refusals.h"
 
@@ -34,42 +35,6 @@ scalars(std::size_t permutations, std::uint64_t seed = 1)
   options.seed = seed;
   options.threads = 1;
   return options;
-}
-
-/** Largest distance of the sample's distribution to the uniform one on (0,1], times the root of its size. */
-double
-kolmogorovSmirnov(std::vector<double> p)
-{
-  std::sort(p.begin(), p.end());
-  const double count = static_cast<double>(p.size());
-  double       largest = 0.0;
-  for (std::size_t i = 0; i < p.size(); ++i)
-  {
-    largest = std::max({ largest, static_cast<double>(i + 1) / count - p[i], p[i] - static_cast<double>(i) / count });
-  }
-  return largest * std::sqrt(count);
-}
-
-/** Forty subjects that differ in size, bend and noise; the last twenty have a bulge of 2 mm, 5 mm wide, along x. */
-Matrix
-phantomsWithBulge(const HexMesh & shape, const Vector3 & place, std::uint64_t seed)
-{
-  Random     random(seed);
-  const auto vector = [&] { return Vector3(normalNumber(random), normalNumber(random), normalNumber(random)); };
-  Matrix     y(40, static_cast<Eigen::Index>(3 * shape.nodes.size()));
-  for (Eigen::Index subject = 0; subject < 40; ++subject)
-  {
-    const double  size = 1.0 + 0.02 * normalNumber(random);
-    const Vector3 bend = 0.5 * vector();
-    for (std::size_t node = 0; node < shape.nodes.size(); ++node)
-    {
-      const Vector3 & p = shape.nodes[node];
-      const double    bulge = subject < 20 ? 0.0 : 2.0 * std::exp(-(p - place).squaredNorm() / (2.0 * 25.0));
-      y.block<1, 3>(subject, static_cast<Eigen::Index>(3 * node)) =
-        (size * p + bend * p[2] / 20.0 + bulge * Vector3::UnitX() + 0.3 * vector()).transpose();
-    }
-  }
-  return y;
 }
 
 } // namespace
@@ -176,7 +141,7 @@ TEST(PermutationTest, ABulgeOfTwoMillimetresInHalfOfFortyPhantomsIsFound)
     PermutationOptions options;
     options.permutations = 999;
     options.seed = seed;
-    const MatrixTable table(phantomsWithBulge(shape, shape.nodes[centre], seed));
+    const MatrixTable table(phantomsWithBulge(shape, shape.nodes[centre], 20, seed));
     const auto        result = permutationTest(table, { groups(40), Matrix(40, 0) }, options);
     EXPECT_EQ(result.pFamilyWise[static_cast<Eigen::Index>(centre)], 0.001);
     EXPECT_NEAR(result.slope(0, static_cast<Eigen::Index>(centre)), 2.0, 1.0);

@@ -355,6 +355,10 @@ meshSolid(const LevelSet &            ordering,
   {
     throw InvalidInput("a density needs the last stage Exact");
   }
+  if (options.refinement.any())
+  {
+    throw InvalidInput("landmarks and images need a template");
+  }
   if (options.paddingLayers < 0 || options.paddingLayers > largestPadding)
   {
     throw InvalidInput(std::to_string(options.paddingLayers) + " layers of padding, need 0 to " +

@@ -2,6 +2,7 @@
 #include "ExactStage.h"
 #include "FrameSearch.h"
 #include "StageLog.h"
+#include "TemplateRefiner.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
@@ -19,8 +20,14 @@ namespace
 /** Of the reference, from one that hardly lets the template bend to one that hardly holds it [1]. */
 constexpr std::array<double, 4> referenceWeights{ { 10.0, 2.0, 0.5, 0.1 } };
 
+/** While landmarks and images draw. */
+constexpr double refinementReferenceWeight = 0.1;
+/** Of the ties of a refinement, until it is exact. */
+constexpr std::array<double, 3> refinementParts{ { 1.0, 0.3, 0.1 } };
+
 /** Parts of the whole run, for progress only. */
 constexpr double afterAlignment = 0.1;
+constexpr double afterTying = 0.5;
 
 void
 requireUsable(const SolidMeshingOptions & options)
@@ -37,6 +44,8 @@ requireUsable(const SolidMeshingOptions & options)
   require(options.templateMesh->nodesPerSide == 2 * options.shells,
           "it has " + std::to_string(options.templateMesh->nodesPerSide) + " nodes a side, need " +
             std::to_string(2 * options.shells));
+  require(!options.templateNodes || options.templateNodes->size() == options.templateMesh->nodes.size(),
+          "there are not as many nodes in the solid's space as it has");
   require(options.lastStage == MeshingStage::Exact, "it needs the last stage Exact");
   require(options.density == nullptr, "a mesh that is tied to one has equal volumes, not masses");
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
@@ -91,7 +100,12 @@ public:
   {
     align();
     reportProgress(progress, afterAlignment);
-    tie(progressBetween(progress, afterAlignment, 1.0));
+    const bool isRefined = m_Options.refinement.any();
+    tie(progressBetween(progress, afterAlignment, isRefined ? afterTying : 1.0));
+    if (isRefined)
+    {
+      refine(progressBetween(progress, afterTying, 1.0));
+    }
     const TriangleMesh       surface = marchingTetrahedra(m_Phi, 0.0);
     const ClosestPointSearch search(surface);
     m_Result.boundary = boundaryDistance(m_Result.mesh, nearestPointOn(search, m_PhiAt, 0.0));
@@ -105,10 +119,19 @@ private:
   align()
   {
     m_Reference = *m_Options.templateMesh;
+    scaleToVolume(m_Volume, m_Reference); // a smaller one would come to lie against a side of the solid
     std::ostringstream note;
-    if (m_Options.templateAlignment == TemplateAlignment::Rigid)
+    if (m_Options.templateNodes)
     {
-      m_Result.alignment = alignToSurface(boundaryPoints(m_Reference), m_Phi);
+      m_Reference.nodes = *m_Options.templateNodes;
+      note << "brought by a given transform";
+    }
+    else if (m_Options.templateAlignment != TemplateAlignment::None)
+    {
+      SurfaceAlignmentOptions options;
+      options.kind = m_Options.templateAlignment == TemplateAlignment::Affine ? SurfaceAlignmentKind::Affine
+                                                                              : SurfaceAlignmentKind::Rigid;
+      m_Result.alignment = alignToSurface(boundaryPoints(m_Reference), m_Phi, options);
       for (Vector3 & node : m_Reference.nodes)
       {
         node = m_Result.alignment->motion(node);
@@ -128,17 +151,20 @@ private:
   tie(const ProgressCallback & progress)
   {
     EqualisationOptions options = equalisationOptions(m_Options);
-    options.reference = m_Reference.nodes;
+    options.ties.reference = m_Reference.nodes;
     std::optional<EqualisationResult> best;
     for (std::size_t w = 0; w < referenceWeights.size() && !(best && best->exact); ++w)
     {
-      options.referenceWeight = referenceWeights[w];
+      options.ties.referenceWeight = referenceWeights[w];
       EqualisationResult tied = equaliseVolumes(
         m_Reference, signedDistance(m_PhiAt), m_Volume, options, progressOfPart(progress, w, referenceWeights.size()));
       std::ostringstream attempt;
-      attempt << "weight " << options.referenceWeight << ": " << (tied.exact ? "exact" : "not exact");
+      attempt << "weight " << options.ties.referenceWeight << ": " << (tied.exact ? "exact" : "not exact");
       m_Result.attempts.push_back(attempt.str());
-      best = !best || isBetter(tied, *best) ? std::move(tied) : std::move(*best);
+      if (!best || isBetter(tied, *best))
+      {
+        best = std::move(tied);
+      }
     }
     take(std::move(*best));
     std::string note;
@@ -147,6 +173,87 @@ private:
       note += (note.empty() ? "" : "; ") + attempt;
     }
     m_Log.add("exact", m_Result.mesh, note);
+  }
+
+  /** One equalisation a scale and, where that is not exact, with weaker ties. */
+  void
+  refine(const ProgressCallback & progress)
+  {
+    if (!m_Result.equalisation->exact)
+    {
+      m_Result.warnings.emplace_back("not refined, as the mesh is not exact");
+      return;
+    }
+    const TemplateRefiner      refiner(*m_Options.templateMesh, m_Options.refinement);
+    TemplateRefinementResult & report = m_Result.refinement.emplace();
+    EqualisationOptions        options = equalisationOptions(m_Options);
+    options.ties.reference = m_Reference.nodes;
+    options.ties.referenceWeight = refinementReferenceWeight;
+    options.ties.landmarks = refiner.landmarks();
+    const std::vector<double> scales = refiner.scales();
+    const HexMesh             tied = m_Result.mesh;
+    for (std::size_t s = 0; s < scales.size(); ++s)
+    {
+      if (m_Options.refinement.images)
+      {
+        options.ties.image = refiner.image(m_Result.mesh, scales[s]);
+      }
+      if (!refineAt(options, progressOfPart(progress, s, scales.size())))
+      {
+        break;
+      }
+    }
+    if (!refiner.landmarks().empty())
+    {
+      report.landmarkError =
+        RefinedResidual{ landmarkError(tied, refiner.landmarks()), landmarkError(m_Result.mesh, refiner.landmarks()) };
+    }
+    if (options.ties.image)
+    {
+      report.imageDifference = RefinedResidual{ imageDifference(tied, *options.ties.image),
+                                                imageDifference(m_Result.mesh, *options.ties.image) };
+    }
+    m_Log.add("refined", m_Result.mesh, describe(report));
+  }
+
+  [[nodiscard]] bool
+  refineAt(EqualisationOptions options, const ProgressCallback & progress)
+  {
+    const LatticeTies full = options.ties;
+    for (std::size_t part = 0; part < refinementParts.size(); ++part)
+    {
+      options.ties.landmarkWeight = refinementParts[part] * full.landmarkWeight;
+      options.ties.imageWeight = refinementParts[part] * full.imageWeight;
+      EqualisationResult refined = equaliseVolumes(m_Result.mesh,
+                                                   signedDistance(m_PhiAt),
+                                                   m_Volume,
+                                                   options,
+                                                   progressOfPart(progress, part, refinementParts.size()));
+      if (refined.exact)
+      {
+        take(std::move(refined));
+        return true;
+      }
+      m_Result.attempts.push_back("refinement, part " + std::to_string(refinementParts[part]) + ": not exact");
+    }
+    m_Result.warnings.emplace_back("the refinement stopped early, as further meshes were not exact");
+    return false;
+  }
+
+  [[nodiscard]] static std::string
+  describe(const TemplateRefinementResult & report)
+  {
+    std::ostringstream text;
+    if (report.landmarkError)
+    {
+      text << "landmarks " << report.landmarkError->before << " -> " << report.landmarkError->after << " mm";
+    }
+    if (report.imageDifference)
+    {
+      text << (report.landmarkError ? ", " : "") << "image difference " << report.imageDifference->before << " -> "
+           << report.imageDifference->after << " standard deviations";
+    }
+    return text.str();
   }
 
   void

@@ -63,10 +63,43 @@ TEST(SurfaceAlignment, UndoesAMotion)
   EXPECT_TRUE(result.report.converged);
   EXPECT_GT(result.rmsBefore, 1.5);
   EXPECT_LT(result.rmsAfter, 0.05);
-  EXPECT_LT((result.motion.rotation * turn - Matrix3::Identity()).norm(), 0.01);
-  EXPECT_LT((result.motion.rotation * shift + result.motion.translation).norm(), 0.05);
+  EXPECT_LT((result.motion.matrix * turn - Matrix3::Identity()).norm(), 0.01);
+  EXPECT_LT((result.motion.matrix * shift + result.motion.translation).norm(), 0.05);
   EXPECT_NEAR(result.motion.angle(), 0.3 * 180.0 / std::acos(-1.0), 0.5);
   EXPECT_NEAR(result.shift, shift.norm(), 0.1);
+}
+
+TEST(SurfaceAlignment, UndoesAStretch)
+{
+  const Vector3 stretch(1.2, 0.9, 1.05);
+  Positions     points = pointsOfEllipsoid();
+  for (Vector3 & point : points)
+  {
+    point = stretch.cwiseProduct(point) + Vector3(1.0, 2.0, -1.0);
+  }
+  SurfaceAlignmentOptions options;
+  options.kind = SurfaceAlignmentKind::Affine;
+  const SurfaceAlignmentResult result = alignToSurface(points, ellipsoid(), options);
+  EXPECT_TRUE(result.report.converged);
+  EXPECT_LT(result.rmsAfter, 0.05);
+  EXPECT_LT((result.motion.matrix * stretch.asDiagonal() - Matrix3::Identity()).norm(), 0.02);
+}
+
+TEST(SurfaceAlignment, APartThatTheOtherSolidLacksHasLittleInfluence)
+{
+  Positions points = pointsOfEllipsoid();
+  for (Vector3 & point : points)
+  {
+    point[0] += point[0] > 9.0 ? 4.0 : 0.0; // a tenth of them
+  }
+  for (const SurfaceAlignmentKind kind : { SurfaceAlignmentKind::Rigid, SurfaceAlignmentKind::Affine })
+  {
+    SurfaceAlignmentOptions options;
+    options.kind = kind;
+    const SurfaceAlignmentResult result = alignToSurface(points, ellipsoid(), options);
+    EXPECT_LT((result.motion.matrix - Matrix3::Identity()).norm(), 0.01);
+    EXPECT_LT(result.shift, 0.05);
+  }
 }
 
 TEST(SurfaceAlignment, ComesFromFarBeyondTheGrid)

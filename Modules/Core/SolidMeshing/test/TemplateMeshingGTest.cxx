@@ -103,6 +103,19 @@ TEST(MeshOnTemplate, AMovedTemplateIsBroughtBack)
   EXPECT_LT(medianDistance(result.mesh.nodes, templateMesh().nodes), 0.1 * edgeOfCell(semiAxes));
 }
 
+TEST(MeshOnTemplate, ASmallTemplateIsNotLaidAgainstASideOfTheSolid)
+{
+  HexMesh       small = templateMesh();
+  const Matrix3 turn = Eigen::AngleAxis<double>(0.15, Vector3(1, 2, 1).normalized()).toRotationMatrix();
+  for (Vector3 & node : small.nodes)
+  {
+    node = 0.55 * (turn * node) + Vector3(6.0, 2.0, 0.0);
+  }
+  const SolidMeshingResult result = meshed(semiAxes, tiedTo(small));
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_LT(medianDistance(result.mesh.nodes, templateMesh().nodes), 0.1 * edgeOfCell(semiAxes));
+}
+
 TEST(MeshOnTemplate, DoesNotDependOnThreads)
 {
   SolidMeshingOptions one = tiedTo(templateMesh());

@@ -98,8 +98,35 @@ public:
     return m_Options.templateMesh;
   }
 
-  /** How the template is brought to the label: Rigid (default) or None. */
+  /** How the template is brought to the label: Rigid (default), Affine or None. */
   itkOptionMacro(TemplateAlignment, moserhex::TemplateAlignment, templateAlignment);
+
+  /** The template's nodes in the label's space, where a transform takes them there; in place of an alignment. */
+  void
+  SetTemplateNodes(std::optional<moserhex::Positions> nodes)
+  {
+    m_Options.templateNodes = std::move(nodes);
+    this->Modified();
+  }
+  const std::optional<moserhex::Positions> &
+  GetTemplateNodes() const
+  {
+    return m_Options.templateNodes;
+  }
+
+  /** Landmarks and images of both subjects that say more than the shapes do about where the template's places are. By
+   * default there are none. Needs a template. */
+  void
+  SetTemplateRefinement(moserhex::TemplateRefinement refinement)
+  {
+    m_Options.refinement = std::move(refinement);
+    this->Modified();
+  }
+  const moserhex::TemplateRefinement &
+  GetTemplateRefinement() const
+  {
+    return m_Options.refinement;
+  }
 
   /** A positive density on the label's space: cells get equal masses instead of equal volumes. The grid may differ from
    * the label's. Optional; only with the last stage Exact. */

@@ -26,6 +26,10 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::VerifyPreconditions() IT
   {
     itkExceptionMacro("DensityImage is set, but the last stage is not Exact");
   }
+  if (m_Options.refinement.any() && !m_Options.templateMesh)
+  {
+    itkExceptionMacro("TemplateRefinement is set, but TemplateMesh is not");
+  }
 }
 
 template <typename TLabelImage, typename TMesh>

@@ -1,5 +1,7 @@
 #include "moserhex/HexMeshIO/FieldImageWriter.h"
 
+#include "FileNames.h"
+#include "NiftiWriter.h"
 #include "NrrdWriter.h"
 #include "moserhex/HexMeshIO/FieldImageReader.h"
 
@@ -33,8 +35,13 @@ labelsOf(const FieldVolume & image)
 }
 
 void
-requireFitting(const FieldVolume & image, FieldValues values)
+requireFitting(const std::string & fileName, const FieldVolume & image, FieldValues values)
 {
+  if (!isNiftiName(fileName) && !endsWith(fileName, ".nrrd"))
+  {
+    throw BadInput(
+      ErrorCode::Usage, fileName, "images are written as NRRD or NIfTI-1", "give a .nrrd, .nii or .nii.gz name");
+  }
   requireValid(image, "image");
   const int needed = values == FieldValues::Labels ? 1 : tensorComponents;
   if (values != FieldValues::Numbers && image.components != needed)
@@ -58,10 +65,15 @@ pixelOf(const FieldVolume & image, FieldValues values)
 void
 writeFieldImage(const std::string & fileName, const FieldVolume & image, FieldValues values)
 {
-  requireFitting(image, values);
+  requireFitting(fileName, image, values);
   const bool                      isLabels = values == FieldValues::Labels;
   const std::vector<std::int32_t> labels = isLabels ? labelsOf(image) : std::vector<std::int32_t>();
-  const auto                      isSame = [&image](const std::string & partName) {
+  if (isNiftiName(fileName))
+  {
+    writeNiftiFile(fileName, image, values, labels);
+    return;
+  }
+  const auto isSame = [&image](const std::string & partName) {
     const FieldImage read = readFieldImage(partName, { false }); // of our own
     return isSamePlace(read.volume, image) && read.volume.values.size() == image.values.size() &&
            std::memcmp(read.volume.values.data(), image.values.data(), image.values.size() * sizeof(double)) == 0;

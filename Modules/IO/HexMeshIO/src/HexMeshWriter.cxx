@@ -51,7 +51,7 @@ requireUsable(const NamedArray & array, std::size_t places)
 void
 requireUsableArrays(const std::string & fileName, const HexMesh & mesh, const HexMeshFields & fields)
 {
-  const bool isAny = !fields.pointArrays.empty() || !fields.cellArrays.empty();
+  const bool isAny = !fields.pointArrays.empty() || !fields.cellArrays.empty() || !fields.meshArrays.empty();
   if (isAny && !isVtkName(fileName))
   {
     throw InvalidInput("writeHexMesh: named arrays are written to .vtu and .vtk only");
@@ -63,6 +63,10 @@ requireUsableArrays(const std::string & fileName, const HexMesh & mesh, const He
   for (const NamedArray & array : fields.cellArrays)
   {
     requireUsable(array, mesh.cellCount());
+  }
+  for (const NamedArray & array : fields.meshArrays)
+  {
+    requireUsable(array, 1);
   }
 }
 

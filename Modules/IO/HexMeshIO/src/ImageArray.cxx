@@ -12,7 +12,7 @@ namespace
 {
 
 ImageDescription
-describe(const ArrayHeader & header, ComponentType type)
+describe(const ArrayHeader & header, ComponentType type, std::uint64_t layers = 1)
 {
   ImageDescription image;
   image.fileName = header.name;
@@ -20,18 +20,18 @@ describe(const ArrayHeader & header, ComponentType type)
   {
     throw BadInput(ErrorCode::Empty, header.name, "an array without voxels", "give one with at least one label");
   }
-  setVoxels(image, { header.size.begin(), header.size.end() }, type, 1);
+  setVoxels(image, { header.size.begin(), header.size.end() }, type, layers);
   setGeometry(image, header.columns, header.origin);
   return image;
 }
 
 void
-requireOneValueAVoxel(const ImageDescription & image, std::size_t values)
+requireFitting(const ImageDescription & image, std::size_t values)
 {
-  if (values != image.grid.gridVoxels())
+  if (values != image.grid.gridVoxels() * static_cast<std::size_t>(image.layers))
   {
     throw InvalidInput(image.fileName + ": " + std::to_string(values) + " values for " +
-                       std::to_string(image.grid.gridVoxels()) + " voxels");
+                       std::to_string(image.grid.gridVoxels()) + " voxels of " + std::to_string(image.layers));
   }
 }
 
@@ -61,12 +61,18 @@ requireValid(const ArrayHeader & header)
   (void)describe(header, ComponentType::UInt8);
 }
 
+VoxelGrid
+voxelGridFrom(const ArrayHeader & header)
+{
+  return describe(header, ComponentType::UInt8).grid;
+}
+
 template <typename TVoxel>
 LabelImage
 labelImageFrom(const ArrayHeader & header, const std::vector<TVoxel> & voxels)
 {
   ImageDescription image = describe(header, componentOf<TVoxel>());
-  requireOneValueAVoxel(image, voxels.size());
+  requireFitting(image, voxels.size());
   const LabelRules              rules;
   const auto                    counts = countLabels(image, voxels, rules);
   const std::vector<LabelEntry> entries = labelEntries(image, counts.front(), rules, {});
@@ -101,10 +107,25 @@ ScalarImage
 scalarImageFrom(const ArrayHeader & header, const std::vector<double> & values)
 {
   const ImageDescription image = describe(header, ComponentType::Float64);
-  requireOneValueAVoxel(image, values.size());
+  requireFitting(image, values.size());
   ScalarImage result{ header.name, imageOnGrid<ScalarImageType>(image.grid), image.warnings };
   std::copy(values.begin(), values.end(), result.image->GetBufferPointer());
   return result;
+}
+
+FieldImage
+fieldImageFrom(const ArrayHeader & header, int components, std::vector<double> values)
+{
+  if (components < 1 || static_cast<std::uint64_t>(components) > mostValuesPerVoxel)
+  {
+    throw BadInput(ErrorCode::PixelType,
+                   header.name,
+                   std::to_string(components) + " values per voxel, need 1 to " + std::to_string(mostValuesPerVoxel),
+                   "give fewer");
+  }
+  const ImageDescription image = describe(header, ComponentType::Float64, static_cast<std::uint64_t>(components));
+  requireFitting(image, values.size());
+  return { header.name, FieldVolume{ image.grid, components, std::move(values) }, {}, true, image.warnings };
 }
 
 } // namespace moserhex

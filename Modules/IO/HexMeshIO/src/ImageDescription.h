@@ -87,6 +87,21 @@ enum class VoxelContent
   ManyValues ///< any number: vectors, tensors, lists, colours
 };
 
+/** Where the values of a voxel lie in the file, and which they are. */
+struct ValueLayout
+{
+  bool lastAxis{ false };      ///< first values of all voxels, then all second ones, ...; else a voxel's are together
+  bool masked{ false };        ///< the first value says whether the voxel has others
+  bool lowerTriangle{ false }; ///< of symmetric matrices by rows: xx, yx, yy, zx, zy, zz; else xx, xy, xz, yy, yz, zz
+
+  /** Whether voxels come out as they lie in the file. */
+  [[nodiscard]] bool
+  isPlain() const
+  {
+    return !lastAxis && !masked && !lowerTriangle;
+  }
+};
+
 /** An image as its header states it, every statement checked; see checkImageHeader. */
 struct ImageDescription
 {
@@ -94,10 +109,11 @@ struct ImageDescription
   ImageFormat   format{ ImageFormat::Nrrd };
   ComponentType component{ ComponentType::UInt8 };
   std::uint64_t bytesPerComponent{ 1 };
-  bool          swapped{ false };    ///< the file's byte order is not this machine's
-  VoxelGrid     grid;                ///< LPS mm, direction orthonormal to round-off
-  int           layers{ 1 };         ///< values per voxel, the fastest axis of the file
-  bool          valuesInLps{ true }; ///< no other space and no measurement frame is that of vectors and tensors
+  bool          swapped{ false }; ///< the file's byte order is not this machine's
+  VoxelGrid     grid;             ///< LPS mm, direction orthonormal to round-off
+  int           layers{ 1 };      ///< values per voxel in the file, a mask among them
+  ValueLayout   layout;
+  bool          valuesInLps{ true }; ///< vectors and tensors are known to be in no other space or frame
   VoxelEncoding encoding{ VoxelEncoding::Raw };
   std::string   dataFile;           ///< holds the voxels
   std::uint64_t dataBegin{ 0 };     ///< of the voxels; in the decoded bytes for GzipOrRaw, else in the file

@@ -93,6 +93,10 @@ requireSameImage(const ImageDescription & image, const itk::ImageIOBase & reader
 ComponentType
 deliveredComponent(const ImageDescription & image)
 {
+  if (!image.layout.isPlain())
+  {
+    return ComponentType::Float64;
+  }
   return image.scaled() && image.component != ComponentType::Float64 ? ComponentType::Float32 : image.component;
 }
 
@@ -143,7 +147,9 @@ checkedDescription(const std::string & fileName, bool sandboxed, VoxelContent co
   {
     // The buffer here, one inside the library, one of compressed bytes, and the answer.
     constexpr std::uint64_t overhead = std::uint64_t{ 256 } << 20;
-    const std::uint64_t     widest = std::max<std::uint64_t>(image.promisedBytes, image.grid.gridVoxels() * 4);
+    const std::uint64_t     bytes = withComponent(deliveredComponent(image), [](auto zero) { return sizeof(zero); });
+    const std::uint64_t     widest =
+      std::max(image.promisedBytes, image.promisedBytes / image.bytesPerComponent * std::max<std::uint64_t>(bytes, 4));
     allowSandboxMemory(overhead + 4 * widest);
   }
   checkVoxelBytes(image);

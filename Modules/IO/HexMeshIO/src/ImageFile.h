@@ -12,8 +12,8 @@
 namespace moserhex
 {
 
-/** What a voxel is when ITK hands it over: the type of the file, or a real number where it applies slope and intercept
- * (NIfTI): float, or double where the file has doubles. */
+/** What a voxel is when it is handed over: the type of the file, or a real number where slope and intercept are applied
+ * (NIfTI): float, or double where the file has doubles. Always double where values are rearranged. */
 [[nodiscard]] ComponentType
 deliveredComponent(const ImageDescription & image);
 
@@ -28,8 +28,14 @@ readByItk(const ImageDescription & image, const std::string & itkName, void * bu
 void
 requireDelivered(const ImageDescription & image, const void * buffer);
 
-/** Checks the whole file and calls body(description, std::vector<TVoxel>): the voxels as stored, layers fastest; of
- * scaled images float, or double where the file has doubles. \param sandboxed  in a child of runInSandbox: memory is
+/** The values of a checked image whose layout is not plain, without ITK, which leaves masks out and takes fewer kinds:
+ * a voxel's together, its mask first, symmetric matrices as xx, xy, xz, yy, yz, zz, scaled.
+ * \throws BadInput (ReaderFailed)  the file has changed since it was checked; as checkVoxelBytes */
+[[nodiscard]] std::vector<double>
+rearrangedValues(const ImageDescription & image);
+
+/** Checks the whole file and calls body(description, std::vector<TVoxel>): the voxels as stored, layers fastest, of
+ * type deliveredComponent. \param sandboxed  in a child of runInSandbox: memory is
  * allowed as the header's promises are believed \throws BadInput  see checkImageFile; (ReaderFailed)  ITK refuses the
  * file or reads other bytes; IOError */
 template <typename TBody>
@@ -90,6 +96,11 @@ withCheckedVoxels(const std::string & fileName,
 {
   withImageErrors(fileName, [&] {
     const ImageDescription image = checkedDescription(fileName, sandboxed, content);
+    if (!image.layout.isPlain())
+    {
+      body(image, rearrangedValues(image));
+      return;
+    }
     withComponent(deliveredComponent(image), [&](auto zero) {
       std::vector<decltype(zero)> voxels(image.grid.gridVoxels() * static_cast<std::size_t>(image.layers));
       readByItk(image, itkName, voxels.data());

@@ -184,7 +184,7 @@ checkImageHeader(const std::string & fileName, ImageFormat format, VoxelContent 
   switch (format)
   {
     case ImageFormat::Nifti:
-      return checkNiftiHeader(fileName);
+      return checkNiftiHeader(fileName, content);
     case ImageFormat::Meta:
       return checkMetaHeader(fileName, content);
     case ImageFormat::Nrrd:

@@ -25,12 +25,13 @@ checkImageFile(const std::string & fileName, ImageFormat format, VoxelContent co
 ImageDescription
 checkImageHeader(const std::string & fileName, ImageFormat format, VoxelContent content = VoxelContent::OneValue);
 
-/** The second half: decodes the voxels to their end, without keeping them. Sets the checksum; bytes after the voxels
- * are a warning, and of a compressed stream that goes on at most 16 MB more are decoded in search of its own checksum.
- * \throws BadInput  fewer bytes than promised (Truncated), damaged compressed bytes (Checksum), text that is not
+/** The second half: decodes the voxels to their end. Sets the checksum; bytes after the voxels are a warning, and of a
+ * compressed stream that goes on at most 16 MB more are decoded in search of its own checksum.
+ * \param kept  room for promisedBytes: the voxels in this machine's byte order, in the order of the file; null: not
+ * kept \throws BadInput  fewer bytes than promised (Truncated), damaged compressed bytes (Checksum), text that is not
  * numbers of the voxel type (Header); IOError */
 void
-checkVoxelBytes(ImageDescription & image);
+checkVoxelBytes(ImageDescription & image, char * kept = nullptr);
 
 /** The format by the name's ending, or by the content where the name has no ending.
  * \throws BadInput  neither; content of another kind than the ending says, which is named */

@@ -76,9 +76,9 @@ setDataFile(ImageDescription & image, const std::string & name);
 void
 requirePlausibleSize(const ImageDescription & image);
 
-/** The checks of one format each; see checkImageHeader. NIfTI vectors are not taken. */
+/** The checks of one format each; see checkImageHeader. */
 [[nodiscard]] ImageDescription
-checkNiftiHeader(const std::string & file);
+checkNiftiHeader(const std::string & file, VoxelContent content);
 [[nodiscard]] ImageDescription
 checkMetaHeader(const std::string & file, VoxelContent content);
 [[nodiscard]] ImageDescription

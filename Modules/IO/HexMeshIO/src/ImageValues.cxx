@@ -18,6 +18,7 @@ packedValues(const std::string & fileName, const std::string & itkName, bool san
     writer.put(static_cast<int>(deliveredComponent(image)));
     writer.put(image.grid);
     writer.put(image.layers);
+    writer.put(image.layout.masked ? 1 : 0);
     writer.put(image.valuesInLps ? 1 : 0);
     writer.put(image.warnings);
     writer.put(begin);

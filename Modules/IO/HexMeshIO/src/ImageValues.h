@@ -16,7 +16,8 @@ namespace moserhex
 struct ImageValuesHeader
 {
   VoxelGrid                grid;
-  int                      components{ 1 };
+  int                      components{ 1 }; ///< values per voxel, a mask among them
+  bool                     masked{ false }; ///< the first is the mask
   bool                     valuesInLps{ true };
   std::vector<std::string> warnings;
 };
@@ -36,6 +37,7 @@ unpackValues(const std::string & bytes, const TBufferFor & bufferFor)
   ImageValuesHeader header;
   header.grid = parcel.grid();
   header.components = parcel.number<int>();
+  header.masked = parcel.number<int>() != 0;
   header.valuesInLps = parcel.number<int>() != 0;
   header.warnings = parcel.texts();
   const std::size_t count = header.grid.gridVoxels() * static_cast<std::size_t>(header.components);

@@ -15,9 +15,12 @@ namespace
 
 constexpr double mostExtensionBytes = 1e7;
 
-/** Sizes of the first three axes. \throws BadInput  see checkImageHeader */
+constexpr std::size_t valueAxis = 4; ///< of dim[5]
+
+/** Sizes of the first three axes and, of images with several values per voxel, the number of these.
+ * \throws BadInput  see checkImageHeader */
 std::vector<std::uint64_t>
-niftiSizes(const std::string & file, const NiftiHeader & header)
+niftiSizes(const std::string & file, const NiftiHeader & header, VoxelContent content)
 {
   const int dimensions = header.dimension(0);
   if (dimensions < 1 || dimensions > 7)
@@ -43,14 +46,15 @@ niftiSizes(const std::string & file, const NiftiHeader & header)
   }
   for (std::size_t axis = 3; axis < sizes.size() && voxels < 1e15; ++axis)
   {
-    if (sizes[axis] == 1)
+    const bool isOfValues = axis == valueAxis && content == VoxelContent::ManyValues;
+    if (sizes[axis] == 1 || (isOfValues && sizes[axis] <= mostValuesPerVoxel))
     {
       continue;
     }
     const std::string count = std::to_string(sizes[axis]);
-    throw BadInput(axis == 4 ? ErrorCode::PixelType : ErrorCode::Dimension,
+    throw BadInput(axis == valueAxis ? ErrorCode::PixelType : ErrorCode::Dimension,
                    file,
-                   axis == 4
+                   axis == valueAxis
                      ? count + " values per voxel (dim[5]), need one"
                      : "a " + std::to_string(dimensions) + "-D image of " + count + " volumes, need a 3-D image",
                    exportScalarVolume);
@@ -60,8 +64,33 @@ niftiSizes(const std::string & file, const NiftiHeader & header)
     throw BadInput(
       ErrorCode::TooBig, file, "the sizes multiply to more than 1e15 voxels", "crop the image around the label");
   }
+  const std::uint64_t values = sizes.size() > valueAxis ? sizes[valueAxis] : 1;
   sizes.resize(3);
+  sizes.push_back(values);
   return sizes;
+}
+
+/** Sets how several values of a voxel lie in the file. \throws BadInput (Header)  not as many as a matrix has */
+void
+setNiftiLayout(const NiftiHeader & header, ImageDescription & image)
+{
+  if (image.layers == 1)
+  {
+    return;
+  }
+  const double rows = header.intentParameter(1);
+  const bool   isSymmetric = header.intent() == NiftiIntent::symmetricMatrix;
+  const bool   isMatrix = header.intent() == NiftiIntent::matrix;
+  const double needed = isSymmetric ? 0.5 * rows * (rows + 1.0) : rows * header.intentParameter(2);
+  if ((isSymmetric || isMatrix) && needed != image.layers)
+  {
+    throwHeader(image.fileName,
+                std::to_string(image.layers) +
+                  " values per voxel (dim[5]), which the rows of the matrix (intent_p1) do not give");
+  }
+  image.layout.lastAxis = true;
+  image.layout.lowerTriangle = isSymmetric;
+  image.valuesInLps = header.intentName() == niftiLpsName;
 }
 
 ComponentType
@@ -203,7 +232,7 @@ NiftiHeader::NiftiHeader(const std::string & file, const std::string & bytes) : 
 }
 
 ImageDescription
-checkNiftiHeader(const std::string & file)
+checkNiftiHeader(const std::string & file, VoxelContent content)
 {
   ByteSource  source(file, ByteSource::Coding::GzipOrPlain);
   std::string bytes(NiftiHeader::size + 4, '\0');
@@ -224,7 +253,9 @@ checkNiftiHeader(const std::string & file)
   image.format = ImageFormat::Nifti;
   image.encoding = VoxelEncoding::GzipOrRaw;
   image.swapped = header.swapped();
-  setVoxels(image, niftiSizes(file, header), niftiComponentType(file, header), 1);
+  const auto sizes = niftiSizes(file, header, content);
+  setVoxels(image, sizes, niftiComponentType(file, header), sizes.back());
+  setNiftiLayout(header, image);
   const double offset = header.voxelOffset();
   if (!(offset >= 352.0 && offset <= mostExtensionBytes && offset == std::floor(offset)))
   {

@@ -10,6 +10,19 @@
 namespace moserhex
 {
 
+/** Codes of what the values along dim[5] are. */
+struct NiftiIntent
+{
+  static constexpr int none = 0;
+  static constexpr int matrix = 1004;          ///< intent_p1 rows of intent_p2 numbers
+  static constexpr int symmetricMatrix = 1005; ///< intent_p1 rows; the lower triangle by rows
+  static constexpr int displacement = 1006;
+  static constexpr int vector = 1007;
+};
+
+/** The intent_name by which files of writeFieldImage say in which space vectors and tensors are. */
+constexpr const char * niftiLpsName = "LPS";
+
 /** The 348 bytes of a NIfTI-1 header in either byte order, and the 4 after them. */
 class NiftiHeader
 {
@@ -30,6 +43,25 @@ public:
   dimension(std::size_t n) const
   {
     return read<std::int16_t>(40 + 2 * n);
+  }
+  /** What the values of a voxel are; \see NiftiIntent. */
+  [[nodiscard]] int
+  intent() const
+  {
+    return read<std::int16_t>(68);
+  }
+  /** intent_p1, p2 and p3. \param n  from 1 */
+  [[nodiscard]] double
+  intentParameter(std::size_t n) const
+  {
+    return real(52 + 4 * n);
+  }
+  [[nodiscard]] std::string
+  intentName() const
+  {
+    constexpr std::size_t longest = 16;
+    const std::string     name(m_Bytes, 328, longest);
+    return name.substr(0, name.find('\0'));
   }
   [[nodiscard]] int
   dataType() const

@@ -1,12 +1,8 @@
 #include "ImageHeader.h"
-#include "NrrdHeader.h"
+#include "NrrdAxes.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <limits>
-#include <optional>
 
 namespace moserhex
 {
@@ -14,40 +10,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-using SpaceVector = std::optional<std::vector<double>>;
-
-/** "(a,b,c) none (d,e,f)". \throws BadInput (Header) */
-std::vector<SpaceVector>
-vectorsOf(const std::string & file, const std::string & field, const std::string & text)
-{
-  std::vector<SpaceVector> vectors;
-  std::size_t              at = 0;
-  while ((at = text.find_first_not_of(" \t", at)) != std::string::npos)
-  {
-    if (text.compare(at, 4, "none") == 0)
-    {
-      vectors.emplace_back(std::nullopt);
-      at += 4;
-      continue;
-    }
-    const auto end = text.find(')', at);
-    if (text[at] != '(' || end == std::string::npos)
-    {
-      throwHeader(file, field + " is " + quoted(text.substr(at)) + ", need (x,y,z) or none");
-    }
-    std::string inside = text.substr(at + 1, end - at - 1);
-    const auto  commas = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), ','));
-    std::replace(inside.begin(), inside.end(), ',', ' ');
-    vectors.emplace_back(numbersOf(file, field, inside, commas + 1));
-    if (commas != 2)
-    {
-      throwHeader(file, field + " holds a vector of " + std::to_string(commas + 1) + " components, need 3");
-    }
-    at = end + 1;
-  }
-  return vectors;
-}
 
 /** The factors that turn a space into LPS. */
 Vector3
@@ -94,124 +56,6 @@ nrrdSpace(const NrrdHeader & header, ImageDescription & image)
                    exportScalarVolume);
   }
   return Vector3::Ones();
-}
-
-/** How the axes of the file are used. */
-struct NrrdAxes
-{
-  std::vector<std::uint64_t> sizes;
-  std::vector<std::string>   kinds;      ///< lower case; "" unknown
-  std::vector<SpaceVector>   directions; ///< empty without the field
-  std::vector<std::size_t>   spatial;    ///< the three axes
-  std::uint64_t              layers{ 1 };
-};
-
-bool
-isSpatialKind(const std::string & kind)
-{
-  return kind.empty() || kind == "domain" || kind == "space" || kind == "???" || kind == "none";
-}
-
-[[noreturn]] void
-throwExtraAxis(const ImageDescription & image, const NrrdAxes & axes, std::size_t axis)
-{
-  const std::string & kind = axes.kinds[axis];
-  const std::string   count = std::to_string(axes.sizes[axis]);
-  if (kind.empty() || isSpatialKind(kind) || kind == "list" || kind == "time")
-  {
-    throw BadInput(ErrorCode::Dimension,
-                   image.fileName,
-                   "a " + std::to_string(axes.sizes.size()) + "-D image of " + count + " volumes, need a 3-D image",
-                   "export one 3-D volume");
-  }
-  throw BadInput(ErrorCode::PixelType,
-                 image.fileName,
-                 count + " values per voxel (" + quoted(kind) + "), need one",
-                 exportScalarVolume);
-}
-
-NrrdAxes
-nrrdAxes(const NrrdHeader & header, const ImageDescription & image)
-{
-  constexpr std::uint64_t mostDimensions = 16;
-  const auto              dimension = countsOf(image.fileName, "dimension", header.get("dimension"));
-  if (dimension.size() != 1 || dimension[0] == 0 || dimension[0] > mostDimensions)
-  {
-    throwHeader(image.fileName, "dimension " + quoted(header.get("dimension")) + ", need 3");
-  }
-  const std::size_t axisCount = dimension[0];
-  const auto        requireCount = [&](const char * field, std::size_t count) {
-    if (count != axisCount)
-    {
-      throwHeader(image.fileName,
-                  std::string(field) + " are " + std::to_string(count) + " for dimension " + std::to_string(axisCount));
-    }
-  };
-  NrrdAxes axes;
-  axes.sizes = countsOf(image.fileName, "sizes", header.get("sizes"));
-  requireCount("sizes", axes.sizes.size());
-  axes.kinds.resize(axisCount);
-  if (header.has("kinds"))
-  {
-    axes.kinds = wordsOf(lowerCase(header.get("kinds")));
-    requireCount("kinds", axes.kinds.size());
-  }
-  if (header.has("space directions"))
-  {
-    axes.directions = vectorsOf(image.fileName, "space directions", header.get("space directions"));
-    requireCount("space directions", axes.directions.size());
-  }
-  return axes;
-}
-
-/** Whether the first axis of a file may be one of values. Of masked tensors ITK leaves out the mask. */
-bool
-mayHoldValues(const std::string & kind, std::uint64_t size)
-{
-  return !isSpatialKind(kind) && kind != "time" && kind != "3d-masked-symmetric-matrix" && size <= mostValuesPerVoxel;
-}
-
-/** Sorts the axes into three of space and others. \throws BadInput (Dimension, PixelType, Geometry) */
-void
-findSpatialAxes(const ImageDescription & image, bool segmentation, VoxelContent content, NrrdAxes & axes)
-{
-  const std::size_t axisCount = axes.sizes.size();
-  if (axisCount < 3)
-  {
-    throw BadInput(ErrorCode::Dimension,
-                   image.fileName,
-                   "a " + std::to_string(axisCount) + "-D image, need a 3-D image",
-                   exportScalarVolume);
-  }
-  const auto & directions = axes.directions;
-  if (!directions.empty() && std::none_of(directions.begin(), directions.end(), [](const auto & v) { return v; }))
-  {
-    throw BadInput(ErrorCode::Geometry, image.fileName, "no axis has a direction in space", correctHeader);
-  }
-  for (std::size_t axis = 0; axis < axisCount; ++axis)
-  {
-    const bool directed = directions.empty() || directions[axis];
-    if (directed && isSpatialKind(axes.kinds[axis]) && axes.spatial.size() < 3)
-    {
-      axes.spatial.push_back(axis);
-    }
-    else if (axis == 0 && ((segmentation && axes.kinds[0] != "rgb-color") ||
-                           (content == VoxelContent::ManyValues && mayHoldValues(axes.kinds[0], axes.sizes[0]))))
-    {
-      axes.layers = axes.sizes[0];
-    }
-    else if (axes.sizes[axis] != 1)
-    {
-      throwExtraAxis(image, axes, axis);
-    }
-  }
-  if (axes.spatial.size() != 3)
-  {
-    throw BadInput(ErrorCode::Dimension,
-                   image.fileName,
-                   std::to_string(axes.spatial.size()) + " axes of space, need a 3-D image",
-                   exportScalarVolume);
-  }
 }
 
 void
@@ -271,7 +115,7 @@ setNrrdGeometry(const NrrdHeader & header, const NrrdAxes & axes, const Vector3 
   Vector3 origin = Vector3::Zero();
   if (header.has("space origin"))
   {
-    const auto vectors = vectorsOf(image.fileName, "space origin", header.get("space origin"));
+    const auto vectors = spaceVectorsOf(image.fileName, "space origin", header.get("space origin"));
     if (vectors.size() != 1 || !vectors[0])
     {
       throwHeader(image.fileName, "space origin is " + quoted(header.get("space origin")));
@@ -366,10 +210,9 @@ checkNrrdHeader(const std::string & file, VoxelContent content)
   image.format = ImageFormat::Nrrd;
   image.keyValues = header.keyValues;
   image.encoding = nrrdEncoding(header, image);
-  const Vector3 toLps = nrrdSpace(header, image);
-  NrrdAxes      axes = nrrdAxes(header, image);
-  const bool    isSegmentation = header.keyValues.count("Segment0_ID") + header.keyValues.count("Segment0_Name") > 0;
-  findSpatialAxes(image, isSegmentation, content, axes);
+  const Vector3  toLps = nrrdSpace(header, image);
+  const NrrdAxes axes = nrrdAxes(header, image, content);
+  image.layout = axes.layout;
   image.valuesInLps = toLps == Vector3::Ones() && !header.has("measurement frame");
   setVoxels(image,
             { axes.sizes[axes.spatial[0]], axes.sizes[axes.spatial[1]], axes.sizes[axes.spatial[2]] },

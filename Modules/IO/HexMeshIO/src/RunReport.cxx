@@ -104,6 +104,42 @@ densityJson(const RunReport::Density & density)
   return json;
 }
 
+void
+addResidual(const std::string & name, const std::optional<RunReport::Residual> & residual, Json & json)
+{
+  if (residual)
+  {
+    json[name + "_before"] = residual->before;
+    json[name + "_after"] = residual->after;
+  }
+}
+
+Json
+templateJson(const RunReport::Template & tied)
+{
+  Json json{ { "alignment", tied.alignment } };
+  for (const RunReport::File & file : tied.files)
+  {
+    if (file.role == "mesh")
+    {
+      json["file"] = file.name;
+      json["sha256"] = file.sha256;
+      continue;
+    }
+    json[file.role] = { { "file", file.name }, { "sha256", file.sha256 } };
+  }
+  if (tied.aligned)
+  {
+    json["turned_degrees"] = tied.aligned->angle;
+    json["moved_mm"] = tied.aligned->translation;
+    json["surface_rms_before_mm"] = tied.aligned->rmsBefore;
+    json["surface_rms_after_mm"] = tied.aligned->rmsAfter;
+  }
+  addResidual("landmark_rms_mm", tied.landmarks, json);
+  addResidual("image_difference", tied.imageDifference, json);
+  return json;
+}
+
 Json
 meshJson(const RunReport & report)
 {
@@ -195,12 +231,7 @@ toJson(const RunReport & report)
   }
   if (report.templateMesh)
   {
-    json["template"] = { { "file", report.templateMesh->file },
-                         { "sha256", report.templateMesh->sha256 },
-                         { "turned_degrees", report.templateMesh->angle },
-                         { "moved_mm", report.templateMesh->translation },
-                         { "surface_rms_before_mm", report.templateMesh->rmsBefore },
-                         { "surface_rms_after_mm", report.templateMesh->rmsAfter } };
+    json["template"] = templateJson(*report.templateMesh);
   }
   if (report.frame)
   {

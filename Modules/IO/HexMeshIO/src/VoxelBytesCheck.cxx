@@ -36,12 +36,31 @@ codingOf(VoxelEncoding encoding)
   return ByteSource::Coding::Plain;
 }
 
-void
-addToChecksum(ImageDescription & image, const void * bytes, std::size_t count)
+/** Where decoded bytes go: into the image's checksum, and to where they are kept. */
+class DecodedVoxels
 {
-  image.checksum = static_cast<std::uint32_t>(
-    crc32(image.checksum, static_cast<const unsigned char *>(bytes), static_cast<unsigned int>(count)));
-}
+public:
+  DecodedVoxels(ImageDescription & image, char * kept) : m_Image(image), m_Kept(kept)
+  {
+    m_Image.checksum = 0;
+  }
+
+  void
+  add(const void * bytes, std::size_t count)
+  {
+    m_Image.checksum = static_cast<std::uint32_t>(
+      crc32(m_Image.checksum, static_cast<const unsigned char *>(bytes), static_cast<unsigned int>(count)));
+    if (m_Kept != nullptr)
+    {
+      std::memcpy(m_Kept, bytes, count);
+      m_Kept += count;
+    }
+  }
+
+private:
+  ImageDescription & m_Image;
+  char *             m_Kept;
+};
 
 void
 swapComponents(char * bytes, std::size_t count, std::size_t componentSize)
@@ -83,7 +102,7 @@ warnOfTrailingBytes(ImageDescription & image, std::uint64_t count, bool more)
 }
 
 void
-checkBinary(ImageDescription & image, ByteSource & source)
+checkBinary(ImageDescription & image, ByteSource & source, DecodedVoxels & voxels)
 {
   const bool        mayBeCleared = image.format == ImageFormat::Nifti && isFloatingPoint(image.component);
   std::vector<char> chunk(chunkSize);
@@ -101,7 +120,7 @@ checkBinary(ImageDescription & image, ByteSource & source)
     {
       cleared += withComponent(image.component, [&](auto zero) { return clearNonFinite(chunk.data(), count, zero); });
     }
-    addToChecksum(image, chunk.data(), count);
+    voxels.add(chunk.data(), count);
     present += count;
     if (count < part)
     {
@@ -127,21 +146,21 @@ checkBinary(ImageDescription & image, ByteSource & source)
   warnOfTrailingBytes(image, behind + (more ? 0 : source.unusedBytes()), more);
 }
 
-/** Adds one number to the checksum. \throws BadInput (Header) */
+/** \throws BadInput (Header)  no number of the voxel type */
 template <typename TComponent>
 void
-addNumber(ImageDescription & image, const std::string & word, TComponent)
+addNumber(const ImageDescription & image, const std::string & word, TComponent, DecodedVoxels & voxels)
 {
   TComponent number{};
   if (!parseNumber(word, number))
   {
     throwHeader(image.fileName, "a voxel is " + quoted(word) + ", which the voxel type does not hold");
   }
-  addToChecksum(image, &number, sizeof number);
+  voxels.add(&number, sizeof number);
 }
 
 void
-checkText(ImageDescription & image, ByteSource & source)
+checkText(ImageDescription & image, ByteSource & source, DecodedVoxels & voxels)
 {
   constexpr std::size_t longestWord = 64;
   const std::uint64_t   promised = image.promisedBytes / image.bytesPerComponent;
@@ -153,7 +172,7 @@ checkText(ImageDescription & image, ByteSource & source)
     {
       return;
     }
-    withComponent(image.component, [&](auto zero) { addNumber(image, word, zero); });
+    withComponent(image.component, [&](auto zero) { addNumber(image, word, zero, voxels); });
     word.clear();
     ++present;
   };
@@ -199,7 +218,7 @@ checkText(ImageDescription & image, ByteSource & source)
 } // namespace
 
 void
-checkVoxelBytes(ImageDescription & image)
+checkVoxelBytes(ImageDescription & image, char * kept)
 {
   const bool withHeader = image.encoding == VoxelEncoding::GzipOrRaw;
   ByteSource source(image.dataFile, codingOf(image.encoding), withHeader ? 0 : image.dataBegin, image.storedBytes);
@@ -207,14 +226,14 @@ checkVoxelBytes(ImageDescription & image)
   {
     (void)source.skip(image.dataBegin);
   }
-  image.checksum = 0;
+  DecodedVoxels voxels(image, kept);
   if (image.encoding == VoxelEncoding::Text)
   {
-    checkText(image, source);
+    checkText(image, source, voxels);
   }
   else
   {
-    checkBinary(image, source);
+    checkBinary(image, source, voxels);
   }
 }
 

@@ -91,7 +91,9 @@ addArray(vtkFieldData & data, const NamedArray & named)
   array->SetName(named.name.c_str());
   array->SetNumberOfComponents(named.components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(named.values.size()) / named.components);
-  std::copy(named.values.begin(), named.values.end(), array->GetPointer(0));
+  // No negative zeros: whether VTK calls the least value 0 or -0 in the file depends on how its threads share the work.
+  std::transform(
+    named.values.begin(), named.values.end(), array->GetPointer(0), [](double value) { return value + 0.0; });
   data.AddArray(array);
 }
 
@@ -137,6 +139,10 @@ makeGrid(const HexMeshContent & content)
   {
     addArray(*grid->GetCellData(), array);
   }
+  for (const NamedArray & array : fields.meshArrays)
+  {
+    addArray(*grid->GetFieldData(), array);
+  }
   return grid;
 }
 
@@ -145,8 +151,9 @@ void
 clearArrayInformation(vtkUnstructuredGrid & grid)
 {
   grid.GetPoints()->GetData()->GetInformation()->Clear();
-  for (vtkFieldData * data :
-       { static_cast<vtkFieldData *>(grid.GetPointData()), static_cast<vtkFieldData *>(grid.GetCellData()) })
+  for (vtkFieldData * data : { static_cast<vtkFieldData *>(grid.GetPointData()),
+                               static_cast<vtkFieldData *>(grid.GetCellData()),
+                               grid.GetFieldData() })
   {
     for (int array = 0; array < data->GetNumberOfArrays(); ++array)
     {

@@ -116,7 +116,7 @@ TEST(FieldImage, LabelsAreALabelmap)
   }
   EXPECT_THROW(writeFieldImage(folder / "b.nrrd", fieldOf(2), FieldValues::Labels), InvalidInput);
   EXPECT_THROW(writeFieldImage(folder / "b.nrrd", fieldOf(3), FieldValues::SymmetricTensors), InvalidInput);
-  EXPECT_THROW(writeFieldImage(folder / "b.nii", fieldOf(1)), BadInput);
+  EXPECT_THROW(writeFieldImage(folder / "b.mha", fieldOf(1)), BadInput);
   EXPECT_FALSE(std::ifstream(folder / "b.nrrd"));
 }
 
@@ -159,13 +159,7 @@ TEST(FieldImage, DamagedAndOtherFilesAreRefused)
                 56);
   };
   const char * first = "none (1,0,0) (0,1,0) (0,0,1)";
-  EXPECT_NE(
-    answerTo("a.nrrd", axes("7 2 2 2", "3D-masked-symmetric-matrix domain domain domain", first)).find("masked"),
-    std::string::npos);
   EXPECT_NE(answerTo("a.nrrd", axes("7 2 2 2", "time domain domain domain", first)).find("3-D"), std::string::npos);
-  EXPECT_NE(
-    answerTo("a.nrrd", axes("2 2 2 7", "domain domain domain list", "(1,0,0) (0,1,0) (0,0,1) none")).find("3-D"),
-    std::string::npos);
   EXPECT_NE(answerTo("a.nrrd", axes("5000 2 2 2", "list domain domain domain", first)).find("3-D"), std::string::npos);
 }
 

@@ -166,12 +166,15 @@ TEST(HexMeshWriter, NamedArraysOfEveryShapeAreReadByVtk)
     fields.cellArrays.push_back(numberedArray("Cell" + std::to_string(components), components, mesh.cellCount()));
   }
   fields.pointArrays.front().values[5] = std::nan("");
+  fields.meshArrays = { { "Mesh1", 1, { 2.5 } } };
   writeHexMesh(folder / "mesh.vtu", mesh, fields);
   writeHexMesh(folder / "mesh.vtk", mesh, fields);
   for (const auto & grid : { readByVtk<vtkXMLUnstructuredGridReader>(folder / "mesh.vtu"),
                              readByVtk<vtkUnstructuredGridReader>(folder / "mesh.vtk") })
   {
     EXPECT_TRUE(std::isnan(grid->GetPointData()->GetArray("Node1")->GetTuple1(5)));
+    ASSERT_NE(grid->GetFieldData()->GetArray("Mesh1"), nullptr);
+    EXPECT_EQ(grid->GetFieldData()->GetArray("Mesh1")->GetTuple1(0), 2.5);
     for (const int components : { 1, 3, 6, 9 })
     {
       auto * ofNodes = grid->GetPointData()->GetArray(("Node" + std::to_string(components)).c_str());

@@ -23,6 +23,11 @@ nodeIndices(const HexMesh & mesh);
 [[nodiscard]] Positions
 cubeCoordinates(const HexMesh & mesh);
 
+/** Shell of every cell: N - (layers of cells between it and the lattice's boundary), 1 in the middle and N = n/2
+ * outermost; N + l in layer l of the padding. */
+[[nodiscard]] std::vector<int>
+shellOfCells(const HexMesh & mesh);
+
 /** Nodes on the boundary of the mesh: of its outermost layer of padding, or of the lattice where there is none.
  * Ascending, B = n^3 - (n-2)^3 of them. */
 [[nodiscard]] std::vector<std::size_t>
@@ -32,10 +37,5 @@ boundaryNodes(const HexMesh & mesh);
  * face. */
 [[nodiscard]] std::vector<Quadrilateral>
 boundaryQuads(const HexMesh & mesh);
-
-/** Shell of every cell: N - (layers of cells between it and the lattice's boundary), 1 in the middle and N = n/2
- * outermost; N + l in layer l of the padding. */
-[[nodiscard]] std::vector<int>
-shellOfCells(const HexMesh & mesh);
 
 } // namespace moserhex

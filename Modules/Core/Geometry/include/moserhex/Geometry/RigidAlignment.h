@@ -29,6 +29,10 @@ struct SimilarityTransform
   /** Of the rotation, 0 to 180 [degree]. */
   [[nodiscard]] double
   angle() const;
+
+  /** What takes s R x + t back to x. */
+  [[nodiscard]] SimilarityTransform
+  inverse() const;
 };
 
 /** The rotation and translation that bring points nearest to others, pair by pair, in the sense of least squares:

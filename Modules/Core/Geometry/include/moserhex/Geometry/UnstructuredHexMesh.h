@@ -55,4 +55,16 @@ using Quadrilateral = std::array<std::size_t, 4>;
 [[nodiscard]] std::vector<Quadrilateral>
 boundaryFaces(const UnstructuredHexMesh & mesh);
 
+/** One of boundaryFaces and the cell that it belongs to. */
+struct BoundaryFace
+{
+  std::size_t   cell;
+  Quadrilateral nodes;
+};
+
+/** The same faces of a part of the mesh: those that belong to one of the given cells only.
+ * \param cells  different cell numbers; the order of the result is theirs */
+[[nodiscard]] std::vector<BoundaryFace>
+boundaryFacesOf(const UnstructuredHexMesh & mesh, const std::vector<std::size_t> & cells);
+
 } // namespace moserhex

@@ -4,6 +4,7 @@
 #include "moserhex/Geometry/HexMesh.h"
 #include "moserhex/HexMap/CellMeasure.h"
 #include "moserhex/HexMap/EqualMeasureProjection.h"
+#include "moserhex/HexMap/LatticeTies.h"
 #include "moserhex/HexMap/SignedDistance.h"
 
 #include <cstddef>
@@ -50,10 +51,9 @@ struct EqualisationOptions
    * bumps smaller than a cell are cut off. In edges of a mean cell [1]. */
   double coverageTolerance{ 1.0 };
 
-  /** Positions of the nodes of another mesh, which this one is to be like: n^3 of them, as many as the start has, which
-   * is then neither refined nor taken back to a coarse lattice; no padding. Empty: none [mm]. */
-  Positions reference;
-  double    referenceWeight{ 1.0 }; ///< w_r, with a reference [1]
+  /** What ties the mesh to another one. With any, the start has the size wanted and no padding, is not taken back to a
+   * coarse lattice; landmarks and images draw it towards them even where it is exact already. */
+  LatticeTies ties;
 
   EqualMeasureOptions projection; ///< its thread count is replaced by `threads`
   unsigned int        threads{ 0 };
@@ -100,7 +100,7 @@ tangledCells(int nodesPerSide);
  * 1. Untangles, smooths and equalises together: L-BFGS on
  *      E(x) = sum over cells of [ 1/8 sum over corners of (f^p + w_a (1 - q)^2) + w_v/2 (v / v* - 1)^2 ]
  *           + w_s/2 sum of (s(x) - c)^2
- *           + w_r/2 sum over edges (a, b) of |u_a - u_b|^2,  u = x - reference, with a reference
+ *           + the terms of the ties (LatticeTies.h)
  *    f the regularised mean ratio, q the scaled Jacobian of a corner, s the signed distance of boundary nodes and quad
  * centres in cell edges, which slide freely; the inverse of the lattice Laplacian by cosine transforms stands in for
  * the inverse Hessian. From the lattice given through ever finer ones, prolonged by cubics. Points of the surface that
@@ -115,8 +115,8 @@ tangledCells(int nodesPerSide);
  * what is equalised; for VolumeMeasure the total is `volume` \param total    sum of the measure over the organ; every
  * cell gets the same part, > 0 [unit of the measure] \throws InvalidInput  no n^3 finite nodes; a volume, total or
  * option out of range; no closed surface at the start \throws Cancelled     by the callback \note Never throws for a
- * mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is returned as it is.
- * Deterministic for any number of threads. */
+ * mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is returned as it is, unless
+ * there are landmarks or an image. Deterministic for any number of threads. */
 [[nodiscard]] EqualisationResult
 equaliseMeasures(const HexMesh &             start,
                  const SignedDistance &      phi,

@@ -13,7 +13,7 @@ namespace moserhex
 /** What is asked of the subjects' numbers: y = constant + nuisance g + effect b + error. */
 struct LinearDesign
 {
-  Eigen::VectorXd effect;   ///< N: 0 and 1 for two groups, or a covariate
+  Eigen::MatrixXd effect;   ///< N x h, tested together: 0 and 1 for two groups, a covariate, or groupColumns
   Eigen::MatrixXd nuisance; ///< N x z, what else explains the numbers, without the constant; may have no columns
 };
 
@@ -28,37 +28,45 @@ struct PermutationOptions
 /** One entry for each of the L places. */
 struct PermutationResult
 {
-  Eigen::MatrixXd slope;           ///< q x L: b, group 1 less group 0, or change per unit of the covariate [unit of y]
-  Eigen::VectorXd statistic;       ///< Hotelling's T^2, of one component t^2 [1]
+  Eigen::MatrixXd slope;           ///< q h x L: b, q for each column of the effect: group 1 less group 0, or change per
+                                   ///< unit of the covariate [unit of y]
+  Eigen::VectorXd pillaiTrace;     ///< V, in [0,s] [1]
+  Eigen::VectorXd statistic;       ///< df V / (s - V), of one column Hotelling's T^2, of one component, too, t^2 [1]
   Eigen::VectorXd p;               ///< of the place alone
   Eigen::VectorXd pFamilyWise;     ///< corrected for the search over all places, by the largest statistic
   Eigen::VectorXd qFalseDiscovery; ///< smallest false discovery rate at which the place counts
-  Eigen::VectorXd partialCorrelation;     ///< sqrt(T^2 / (T^2 + degrees of freedom)), in [0,1) [1]
-  Eigen::VectorXd standardisedDifference; ///< two groups: Cohen's d >= 0, of vectors Mahalanobis' D; else empty [1]
-  std::size_t     permutations{ 0 };      ///< made, the subjects' own order among them
-  bool            isExact{ false };       ///< all that there are
-  std::size_t     degreesOfFreedom{ 0 };  ///< N less the rank of constant, nuisance and effect
+  Eigen::VectorXd partialCorrelation; ///< sqrt(V / s), in [0,1]; its square is the partial eta squared [1]
+  Eigen::VectorXd
+              standardisedDifference; ///< effect of two values: Cohen's d, of vectors Mahalanobis' D; else empty [1]
+  std::size_t permutations{ 0 };      ///< made, the subjects' own order among them
+  bool        isExact{ false };       ///< all that there are
+  std::size_t degreesOfFreedom{ 0 };  ///< N less the rank of constant, nuisance and effect
 };
 
 /** Tests at every place whether an effect explains the subjects' numbers, beyond a constant and nuisance covariates.
  *
- *   T^2 = b^T Sigma^-1 b / c,    Sigma = residual covariance,    c = variance of b over Sigma
+ *   V = tr(H (H + W)^-1),    H, W the q x q sums of squares that the effect explains, and that are left
+ *   h = 1:  T^2 = df V / (1 - V) = b^T Sigma^-1 b / c,    Sigma = W / df,    c = variance of b over Sigma
+ *
+ * V is Pillai's trace [pillai1955], in [0,s], s = min(q,h); with the k - 1 columns of k groups (groupColumns) the test
+ * is a one-way MANOVA at every place, with two groups Hotelling's.
  *
  * Permutations by Freedman and Lane [freedman1983; winkler2014]: what is left of y after the nuisance is permuted over
  * the subjects, and the full model is fitted again. Everything is projected before, so that a permutation costs one
  * product with the orthonormal design, and the residuals are whitened by their own scatter, to which 1e-12 of its trace
- * is added (places where the subjects do not vary in some direction). T^2 is an increasing function of the part r of
- * the whitened residuals that the effect explains, T^2 = df r / (1 - r).
+ * is added (places where the subjects do not vary in some direction). V is the part of the whitened residuals that the
+ * effect explains.
  *
- * p = part of the permutations, the subjects' own order among them, with a T^2 at least as large [phipson2010]; family-
- * wise: with a largest T^2 over all places at least as large [nichols2002]; q: Benjamini and Hochberg. Subjects of
+ * p = part of the permutations, the subjects' own order among them, with a V at least as large [phipson2010]; family-
+ * wise: with a largest V over all places at least as large [nichols2002]; q: Benjamini and Hochberg. Subjects of
  * equal effect and nuisance are interchangeable: when there are no more different orders than `permutations`, all are
  * made and the p are exact. Null hypotheses of all places but those with an effect may hold: control is strong.
  *
  * \throws InvalidInput  other numbers of subjects, more than 65535, fewer degrees of freedom than q, a number of the
- * design or the table that is not finite, an effect that is constant or explained by the nuisance, or options out of
- * range \note O(permutations N L q (1 + z)) time, memory of some blocks of places and 2 N + 8 L / 256 bytes a
- * permutation. Permutation k depends on seed and k only. Deterministic for any number of threads. */
+ * design or the table that is not finite, no effect, or a column of it that is constant or explained by the nuisance
+ * and the columns before it, or options out of range \note O(permutations N L q (h + z)) time, memory of some blocks of
+ * places and 2 N + 8 L / 256 bytes a permutation. Permutation k depends on seed and k only. Deterministic for any
+ * number of threads. */
 [[nodiscard]] PermutationResult
 permutationTest(const SubjectTable & table, const LinearDesign & design, const PermutationOptions & options = {});
 

@@ -11,6 +11,7 @@
 #include "moserhex/LevelSet/ShellSurfaces.h"
 #include "moserhex/Quality/HexQuality.h"
 #include "moserhex/SolidMeshing/SurfaceAlignment.h"
+#include "moserhex/SolidMeshing/TemplateRefinement.h"
 #include "moserhex/SphericalMap/AreaPreservingMap.h"
 
 #include <functional>
@@ -47,8 +48,9 @@ enum class LatticeFrame
 /** How a template is brought to a solid before its nodes are moved. */
 enum class TemplateAlignment
 {
-  None, ///< it lies where it belongs, for example in the same scan
-  Rigid ///< by alignToSurface
+  None,  ///< it lies where it belongs, for example in the same scan
+  Rigid, ///< by alignToSurface
+  Affine ///< the same, also stretched and sheared
 };
 
 struct SolidMeshingOptions
@@ -84,6 +86,10 @@ struct SolidMeshingOptions
   /** A lattice of N shells that the mesh is to be like, node by node: see meshOnTemplate. Empty: none. */
   std::optional<HexMesh> templateMesh;
   TemplateAlignment      templateAlignment{ TemplateAlignment::Rigid };
+  /** Its nodes in the solid's space, as many, where a transform takes them there [mm]; in place of templateAlignment.
+   */
+  std::optional<Positions> templateNodes;
+  TemplateRefinement       refinement; ///< of a mesh that is tied; needs a template
 
   /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
    * null: volumes. Only with the last stage Exact; refused otherwise. */
@@ -130,20 +136,21 @@ struct MassReport
 
 struct SolidMeshingResult
 {
-  HexMesh                               mesh;       ///< of the last stage, with its padding
-  std::vector<MeshingStageReport>       stages;     ///< in order of execution
-  ShellSurfacesSummary                  shells;     ///< stage C
-  std::vector<AreaPreservingMapResult>  sphereMaps; ///< entry k-1 for shell k; positions are emptied
-  BoundaryDistance                      boundary;
-  std::optional<FramePlacementResult>   frame;        ///< of LatticeFrame::Ridge
-  std::optional<SurfaceAlignmentResult> alignment;    ///< of a template
-  std::optional<LevelSet>               simplerSolid; ///< the solid that was meshed when it is not phi
-  std::string                           turnWarning;  ///< which of the fallback turns was used; empty: none
-  std::vector<std::string>              attempts;     ///< of stage J, in order, and what came of each
-  bool                                  exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
-  std::optional<MassReport>             mass;                         ///< with a density
-  std::optional<EqualisationResult>     equalisation;                 ///< stage J; its mesh is emptied
-  std::vector<std::string>              warnings;
+  HexMesh                                 mesh;       ///< of the last stage, with its padding
+  std::vector<MeshingStageReport>         stages;     ///< in order of execution
+  ShellSurfacesSummary                    shells;     ///< stage C
+  std::vector<AreaPreservingMapResult>    sphereMaps; ///< entry k-1 for shell k; positions are emptied
+  BoundaryDistance                        boundary;
+  std::optional<FramePlacementResult>     frame;        ///< of LatticeFrame::Ridge
+  std::optional<SurfaceAlignmentResult>   alignment;    ///< of a template
+  std::optional<TemplateRefinementResult> refinement;   ///< of a tied mesh
+  std::optional<LevelSet>                 simplerSolid; ///< the solid that was meshed when it is not phi
+  std::string                             turnWarning;  ///< which of the fallback turns was used; empty: none
+  std::vector<std::string>                attempts;     ///< of stage J, in order, and what came of each
+  bool                                    exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
+  std::optional<MassReport>               mass;                         ///< with a density
+  std::optional<EqualisationResult>       equalisation;                 ///< stage J; its mesh is emptied
+  std::vector<std::string>                warnings;
 };
 
 /** Stages C to K: from a solid and its ordering by volume to a structured hexahedral mesh.
@@ -183,12 +190,17 @@ meshSolid(const LevelSet &            ordering,
 /** Stage J alone, from another mesh: ties a solid to options.templateMesh, so that lattice indices are the same places
  * in both, as far as their shapes tell.
  *
- * The template is brought to the solid by options.templateAlignment and scaled to its volume about its middle; then its
- * boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that one
- * is sought which bends the template least (EqualisationOptions::reference). The less it may be bent, the more like it
- * the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
+ * The template is scaled to the solid's volume about its middle and brought to it by options.templateAlignment; then
+ * its boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that
+ * one is sought which bends the template least (LatticeTies::reference). The less it may be bent, the more like
+ * it the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
  *
- * result.stages: "template", "exact". result.alignment is set; there are no shells and no sphere maps.
+ * With options.refinement the exact mesh is then drawn, through exact ones, to where landmarks belong, and to where one
+ * subject's image is like the other's (LatticeTies.h), images from smooth to sharp. The last exact mesh counts; what
+ * was not reached is a warning.
+ *
+ * result.stages: "template", "exact" and, with a refinement, "refined". result.alignment is set where the template is
+ * aligned; there are no shells and no sphere maps.
  * \throws InvalidInput  no template, one of another size or with padding; padding, a density or another last stage than
  * Exact is wanted; NotConverged, Cancelled  as meshSolid */
 [[nodiscard]] SolidMeshingResult

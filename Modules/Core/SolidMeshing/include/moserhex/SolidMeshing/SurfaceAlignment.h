@@ -1,34 +1,46 @@
 #pragma once
 
 #include "moserhex/Common/StepReport.h"
-#include "moserhex/Geometry/RigidAlignment.h"
+#include "moserhex/Geometry/AffineTransform.h"
 #include "moserhex/LevelSet/LevelSet.h"
 
 namespace moserhex
 {
 
+/** What may be done to points to bring them to a surface. */
+enum class SurfaceAlignmentKind
+{
+  Rigid, ///< moved and turned
+  Affine ///< also stretched and sheared
+};
+
 struct SurfaceAlignmentOptions
 {
-  int    maximumSteps{ 100 };
-  double smallestMotion{ 1e-4 }; ///< a step that moves no point farther ends the search [mm]
+  SurfaceAlignmentKind kind{ SurfaceAlignmentKind::Rigid };
+  int                  maximumSteps{ 100 };    ///< of each search and scale
+  double               smallestMotion{ 1e-4 }; ///< a step that moves no point farther ends the search [mm]
 };
 
 struct SurfaceAlignmentResult
 {
-  SimilarityTransform motion;           ///< rigid
-  double              shift{ 0.0 };     ///< of the points' middle [mm]
-  double              rmsBefore{ 0.0 }; ///< of the points to the surface as they were given [mm]
-  double              rmsAfter{ 0.0 };  ///< [mm]
-  StepReport          report;           ///< residual = rmsAfter
+  AffineTransform motion;
+  double          shift{ 0.0 };     ///< of the points' middle [mm]
+  double          rmsBefore{ 0.0 }; ///< of the points to the surface as they were given [mm]
+  double          rmsAfter{ 0.0 };  ///< [mm]
+  StepReport      report;           ///< residual = rmsAfter
 };
 
-/** The rigid motion that brings points of one surface nearest to another,
+/** The motion that brings points of one surface nearest to another,
  *
- *   min over R, t of sum of d(R p + t)^2,     d = phi in phi's grid, and beyond it phi at its border + the way there
+ *   min over A, t of sum of s^2 log(1 + d(A p + t)^2 / s^2),     d = phi in phi's grid, beyond it phi at its border +
+ * the way there
  *
- * by Levenberg-Marquardt steps in the rotation vector about the points' middle and the translation, from the points as
- * they are and from their middle on the solid's; the better end counts. A turn that the shapes do not determine, of
- * balls for example, stays what it is at the start.
+ * A a rotation (Rigid) or any matrix (Affine), by Levenberg-Marquardt steps about the points' middle on reweighted
+ * squares. With the scale s = 1.5 times the median of |d|, at least 0.05 mm, a part of one solid that the other lacks
+ * has little influence (Cauchy's weights; Holland and Welsch, Comm. Statist. A6 (1977) 813). Starts: the points as they
+ * are, their middle on the solid's, and the rigid motions of least squares from these; the best end counts. A turn that
+ * the shapes do not determine, of balls for example, stays what it is at the start; so do the three numbers that maps
+ * of ellipsoids onto each other leave open to an affine map.
  *
  * \param points  on a surface, at least three
  * \param phi     negative inside the solid

@@ -16,10 +16,12 @@ enum class FieldValues
   Labels            ///< one 32-bit integer
 };
 
-/** Writes an image as gzip-compressed NRRD in LPS, complete or not at all. NaN and infinity are kept.
+/** Writes an image in LPS, complete or not at all: as gzip-compressed NRRD, which keeps NaN and infinity, or as
+ * NIfTI-1, with several numbers along dim[5] (tensors: intent 1005, others: 1007, intent_name LPS) and the voxels'
+ * sizes and place to the 7 digits of that format.
  *
- * \param fileName  ends with .nrrd
- * \throws BadInput      the name does not end with .nrrd
+ * \param fileName  ends with .nrrd, .nii or .nii.gz
+ * \throws BadInput      the name does not end so; as NIfTI-1: values that are not finite, more than 32767 along an axis
  * \throws InvalidInput  as requireValid(image); tensors of other than 6 components; labels of several components, or
  *                       that are not whole numbers from 0 to 2^31 - 1
  * \throws IOError       the file cannot be written, or reads back differently */

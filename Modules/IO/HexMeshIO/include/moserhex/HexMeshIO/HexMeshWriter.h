@@ -15,7 +15,7 @@ struct NamedArray
 {
   std::string         name;            ///< not that of another array, ours (LatticeIndex, ...) among them
   int                 components{ 1 }; ///< 1, 3 (vector), 6 (symmetric tensor xx yy zz xy yz xz) or 9 (tensor by rows)
-  std::vector<double> values;          ///< components x nodes or cells, those of one together; NaN: no value
+  std::vector<double> values;          ///< components x nodes, cells or 1, those of one together; NaN: no value
 };
 
 /** What is written beside the mesh. LatticeIndex (node), Shell and VolumeRatio (cell) are always there. */
@@ -27,6 +27,7 @@ struct HexMeshFields
 
   std::vector<NamedArray> pointArrays; ///< per node; .vtu and .vtk only
   std::vector<NamedArray> cellArrays;  ///< per cell; .vtu and .vtk only
+  std::vector<NamedArray> meshArrays;  ///< once for the mesh, VTK's field data; .vtu and .vtk only
 };
 
 enum class GmshVersion

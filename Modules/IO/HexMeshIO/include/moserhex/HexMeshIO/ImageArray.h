@@ -1,5 +1,6 @@
 #pragma once
 
+#include "moserhex/HexMeshIO/FieldImageReader.h"
 #include "moserhex/HexMeshIO/LabelImageReader.h"
 #include "moserhex/HexMeshIO/ScalarImageReader.h"
 
@@ -24,6 +25,11 @@ struct ArrayHeader
 void
 requireValid(const ArrayHeader & header);
 
+/** The header's voxels; axes that are at right angles but for rounding are made so. \throws BadInput  as requireValid
+ */
+[[nodiscard]] VoxelGrid
+voxelGridFrom(const ArrayHeader & header);
+
 /** A labelmap in memory, judged as readLabelImage judges one in a file: which values are labels, how many there may
  * be, the same limits of size and geometry, the same warnings.
  *
@@ -39,5 +45,13 @@ labelImageFrom(const ArrayHeader & header, const std::vector<TVoxel> & voxels);
  * \throws InvalidInput  the number of values is not the product of the sizes */
 [[nodiscard]] ScalarImage
 scalarImageFrom(const ArrayHeader & header, const std::vector<double> & values);
+
+/** An image of several values per voxel in memory, judged as readFieldImage judges one in a file. Its values are taken
+ * to be in LPS.
+ * \param components  1 to 4096 \param values  a voxel's together
+ * \throws BadInput      as requireValid(header), also with `components` values per voxel; PixelType: too many
+ * \throws InvalidInput  the number of values is not the product of sizes and components */
+[[nodiscard]] FieldImage
+fieldImageFrom(const ArrayHeader & header, int components, std::vector<double> values);
 
 } // namespace moserhex

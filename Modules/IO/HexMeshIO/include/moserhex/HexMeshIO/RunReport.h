@@ -77,15 +77,35 @@ struct RunReport
     double scoreBefore{ 0.0 };
     double scoreAfter{ 0.0 }; ///< of the cube's edges on the surface, less is better [1]
   };
-  /** The mesh that this one is tied to, and how it was brought to the label. */
+  /** How a template was brought to the label. */
+  struct Alignment
+  {
+    double angle{ 0.0 };       ///< by which it was turned [degree]
+    double translation{ 0.0 }; ///< by which its middle was moved [mm]
+    double rmsBefore{ 0.0 };   ///< of its surface to the label's [mm]
+    double rmsAfter{ 0.0 };    ///< [mm]
+  };
+  /** What a refinement left of a distance. */
+  struct Residual
+  {
+    double before{ 0.0 };
+    double after{ 0.0 };
+  };
+  /** A file that was read. */
+  struct File
+  {
+    std::string role; ///< mesh | transform | landmarks | template_landmarks | image | template_image
+    std::string name;
+    std::string sha256;
+  };
+  /** The mesh that this one is tied to, how it was brought to the label, and how the two were made more alike. */
   struct Template
   {
-    std::string file;
-    std::string sha256;
-    double      angle{ 0.0 };       ///< by which it was turned [degree]
-    double      translation{ 0.0 }; ///< by which its middle was moved [mm]
-    double      rmsBefore{ 0.0 };   ///< of its surface to the label's [mm]
-    double      rmsAfter{ 0.0 };    ///< [mm]
+    std::vector<File>        files;           ///< the mesh first, then what else is known of both subjects
+    std::string              alignment;       ///< rigid | affine | none | file
+    std::optional<Alignment> aligned;         ///< where it was sought
+    std::optional<Residual>  landmarks;       ///< root mean square over them [mm]
+    std::optional<Residual>  imageDifference; ///< root mean square, in standard deviations of the image [1]
   };
   /** What stage J promises, and whether it was reached. */
   struct Exact

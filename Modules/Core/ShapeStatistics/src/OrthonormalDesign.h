@@ -1,0 +1,26 @@
+#pragma once
+
+#include "moserhex/ShapeStatistics/PermutationTest.h"
+
+namespace moserhex
+{
+
+/** Orthonormal columns: constant and nuisance, then what is left of the effect. */
+struct OrthonormalDesign
+{
+  Eigen::MatrixXd nuisance; ///< N x (rank of constant and nuisance); the first is the constant
+  Eigen::MatrixXd effect;   ///< N x h
+  Eigen::MatrixXd mixing;   ///< h x h, upper triangular: what is left of the effect is effect x mixing
+
+  /** Least squares for numbers of which the nuisance is taken out. \return q x h, a column for each effect
+   * \param residuals  N x q */
+  [[nodiscard]] Eigen::MatrixXd
+  coefficients(const Eigen::Ref<const Eigen::MatrixXd> & residuals) const;
+};
+
+/** By Gram and Schmidt, done twice. \pre sizes as permutationTest demands
+ * \throws InvalidInput  a column of the effect is constant, or explained by the nuisance and the columns before it */
+[[nodiscard]] OrthonormalDesign
+orthonormalised(const LinearDesign & design);
+
+} // namespace moserhex

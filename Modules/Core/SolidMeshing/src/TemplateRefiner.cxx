@@ -1,0 +1,213 @@
+#include "TemplateRefiner.h"
+
+#include "SmoothedImage.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/CubeTransfer/CubeMap.h"
+#include "moserhex/Geometry/ClosestPoint.h"
+#include "moserhex/Geometry/HexMeshNumbering.h"
+#include "moserhex/Geometry/QuadFans.h"
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+
+namespace moserhex
+{
+namespace
+{
+
+const std::vector<double> imageScales{ 2.0, 1.0, 0.5 };
+
+/** An image that varies less than this part of its mean does not vary [1]. */
+constexpr double roundingOfValues = 1e-9;
+
+/** A mean cell's [mm]. */
+double
+cellEdge(const HexMesh & mesh)
+{
+  const std::vector<double> volumes = cellVolumes(mesh);
+  const double              sum = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  return std::cbrt(std::abs(sum) / static_cast<double>(volumes.size()));
+}
+
+LatticeLandmark
+inside(const HexMesh & mesh, const CubePlace & place)
+{
+  // VTK order: the two upper corners of each face are swapped against the bits (i, j, k).
+  static constexpr std::array<std::array<int, 3>, 8> corners{
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } }
+  };
+  LatticeLandmark landmark;
+  landmark.nodes = mesh.cellNodes(place.cell);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+  {
+    double weight = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double at = place.local[axis];
+      weight *= corners[corner][static_cast<std::size_t>(axis)] == 1 ? at : 1.0 - at;
+    }
+    landmark.weights[corner] = weight;
+  }
+  return landmark;
+}
+
+/** The boundary as four triangles around the centre of every quadrilateral. */
+class BoundaryPlaces
+{
+public:
+  explicit BoundaryPlaces(const HexMesh & mesh)
+    : m_Quads(boundaryQuads(mesh)), m_Search(quadFans(m_Quads, [&mesh](std::size_t node) { return mesh.nodes[node]; }))
+  {}
+
+  [[nodiscard]] LatticeLandmark
+  nearest(const Vector3 & p) const
+  {
+    const ClosestPointOnSurface found = m_Search.closest(p);
+    const auto                  triangle = static_cast<std::size_t>(found.triangle);
+    const Quadrilateral &       quad = m_Quads[triangle / 4];
+    LatticeLandmark             landmark;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      landmark.nodes[corner] = quad[corner];
+      landmark.weights[corner] = 0.25 * found.barycentric[2];
+    }
+    landmark.weights[triangle % 4] += found.barycentric[0];
+    landmark.weights[(triangle + 1) % 4] += found.barycentric[1];
+    return landmark;
+  }
+
+private:
+  std::vector<Quadrilateral> m_Quads;
+  ClosestPointSearch         m_Search;
+};
+
+void
+requireCovered(const ScalarVolume & image, const Positions & points, const std::string & what)
+{
+  const Vector3 last(image.size[0] - 0.5, image.size[1] - 0.5, image.size[2] - 0.5);
+  std::size_t   outside = 0;
+  for (const Vector3 & point : points)
+  {
+    const Vector3 index = image.continuousIndex(point);
+    outside += (index.array() < -0.5).any() || (index.array() > last.array()).any() ? 1 : 0;
+  }
+  if (outside > 0)
+  {
+    throw InvalidInput(what + ": " + std::to_string(outside) + " of " + std::to_string(points.size()) +
+                       " places of the organ lie outside of it");
+  }
+}
+
+/** An image at the samples, its mean there and its standard deviation. */
+struct SampledImage
+{
+  std::shared_ptr<const SmoothedImage> image;
+  std::vector<double>                  values;
+  double                               mean{ 0.0 };
+  double                               deviation{ 0.0 };
+};
+
+SampledImage
+sampled(const ScalarVolume & image, const HexMesh & mesh, double scale, const std::string & what)
+{
+  const Positions points = latticeSamples(mesh);
+  requireCovered(image, points, what);
+  SampledImage result;
+  result.image = std::make_shared<const SmoothedImage>(image, points, scale * cellEdge(mesh));
+  for (const Vector3 & point : points)
+  {
+    result.values.push_back(result.image->at(point).value);
+    result.mean += result.values.back() / static_cast<double>(points.size());
+  }
+  for (const double value : result.values)
+  {
+    result.deviation += std::pow(value - result.mean, 2) / static_cast<double>(points.size());
+  }
+  result.deviation = std::sqrt(result.deviation);
+  if (!(result.deviation > roundingOfValues * std::abs(result.mean)))
+  {
+    throw InvalidInput(what + ": it is the same everywhere in the organ");
+  }
+  return result;
+}
+
+} // namespace
+
+TemplateRefiner::TemplateRefiner(const HexMesh & templateMesh, const TemplateRefinement & refinement)
+  : m_Template(templateMesh), m_Refinement(refinement)
+{
+  const CubeMap        map(templateMesh);
+  const BoundaryPlaces boundary(templateMesh);
+  for (const CorrespondingPoints & points : refinement.landmarks)
+  {
+    if (!points.onTemplate.allFinite() || !points.onSolid.allFinite())
+    {
+      throw InvalidInput("landmarks: a point is not finite");
+    }
+    const std::optional<CubePlace> place = map.find(points.onTemplate);
+    m_Landmarks.push_back(place ? inside(templateMesh, *place) : boundary.nearest(points.onTemplate));
+    m_Landmarks.back().position = points.onSolid;
+  }
+  if (refinement.images)
+  {
+    requireCovered(refinement.images->ofTemplate, templateMesh.nodes, "image of the template");
+  }
+}
+
+std::vector<double>
+TemplateRefiner::scales() const
+{
+  return m_Refinement.images ? imageScales : std::vector<double>{ 0.0 };
+}
+
+LatticeImage
+TemplateRefiner::image(const HexMesh & mesh, double scale) const
+{
+  const SampledImage ofTemplate = sampled(m_Refinement.images->ofTemplate, m_Template, scale, "image of the template");
+  const SampledImage ofSolid = sampled(m_Refinement.images->ofSolid, mesh, scale, "image");
+  LatticeImage       result;
+  for (const double value : ofTemplate.values)
+  {
+    result.values.push_back((value - ofTemplate.mean) / ofTemplate.deviation);
+  }
+  result.image = [ofSolid](const Vector3 & p) {
+    ValueAndGradient found = ofSolid.image->at(p);
+    found.value = (found.value - ofSolid.mean) / ofSolid.deviation;
+    found.gradient /= ofSolid.deviation;
+    return found;
+  };
+  return result;
+}
+
+double
+landmarkError(const HexMesh & mesh, const std::vector<LatticeLandmark> & landmarks)
+{
+  double sum = 0.0;
+  for (const LatticeLandmark & landmark : landmarks)
+  {
+    Vector3 away = -landmark.position;
+    for (std::size_t a = 0; a < landmark.nodes.size(); ++a)
+    {
+      away += landmark.weights[a] * mesh.nodes[landmark.nodes[a]];
+    }
+    sum += away.squaredNorm();
+  }
+  return landmarks.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(landmarks.size()));
+}
+
+double
+imageDifference(const HexMesh & mesh, const LatticeImage & image)
+{
+  const Positions samples = latticeSamples(mesh);
+  double          sum = 0.0;
+  for (std::size_t q = 0; q < samples.size(); ++q)
+  {
+    sum += std::pow(image.image(samples[q]).value - image.values[q], 2);
+  }
+  return std::sqrt(sum / static_cast<double>(samples.size()));
+}
+
+} // namespace moserhex

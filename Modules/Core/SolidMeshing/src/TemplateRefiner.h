@@ -1,0 +1,53 @@
+#pragma once
+
+#include "moserhex/HexMap/LatticeTies.h"
+#include "moserhex/SolidMeshing/TemplateRefinement.h"
+
+#include <vector>
+
+namespace moserhex
+{
+
+/** Turns what a template's refinement says into ties of a lattice.
+ *
+ * A landmark's place is the one of its point in the template's mesh; outside of it the nearest one on its boundary.
+ * Images are made smooth at a scale and compared at the lattice's samples, in units of their standard deviation there,
+ * about their mean. Both do not change while cells keep equal volumes: the map preserves the histogram. */
+class TemplateRefiner
+{
+public:
+  /** Keeps references. \param templateMesh  in its own space
+   * \throws InvalidInput  a point that is not finite; an image that does not cover its mesh */
+  TemplateRefiner(const HexMesh & templateMesh, const TemplateRefinement & refinement);
+
+  [[nodiscard]] const std::vector<LatticeLandmark> &
+  landmarks() const
+  {
+    return m_Landmarks;
+  }
+
+  /** Standard deviations of the smoothing, from coarse to fine, in edges of a mean cell; a single zero when there are
+   * no images. */
+  [[nodiscard]] std::vector<double>
+  scales() const;
+
+  /** \param mesh  of the solid as it is \param scale  one of scales() [edges of a mean cell]
+   * \throws InvalidInput  an image that is constant in the organ at this scale, or does not cover it */
+  [[nodiscard]] LatticeImage
+  image(const HexMesh & mesh, double scale) const;
+
+private:
+  const HexMesh &              m_Template;
+  const TemplateRefinement &   m_Refinement;
+  std::vector<LatticeLandmark> m_Landmarks;
+};
+
+/** Root mean square distance of the landmarks to where they belong; 0 without any [mm]. */
+[[nodiscard]] double
+landmarkError(const HexMesh & mesh, const std::vector<LatticeLandmark> & landmarks);
+
+/** Root mean square difference of the image at the samples and the values that belong there [unit of the image]. */
+[[nodiscard]] double
+imageDifference(const HexMesh & mesh, const LatticeImage & image);
+
+} // namespace moserhex
