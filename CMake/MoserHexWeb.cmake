@@ -1,8 +1,8 @@
 # moserhex_bundle_web(FOLDER web OUTPUT X.cxx FILES package.json package-lock.json build.js src/...)
 #
 # Copies the files of FOLDER into the build, installs the npm packages that package-lock.json names there, and makes the C++
-# source OUTPUT of the bundles (node build.js OUTPUT). Nothing is written to the source folder. The packages' own install
-# scripts are not run. MoserHex_WEB_FOLDER is where all this lies; the target moserhex_web has it done.
+# source OUTPUT of the bundles (node build.js OUTPUT). Nothing is written to the source folder. MoserHex_WEB_FOLDER is where
+# all this lies; the target moserhex_web has it done.
 find_program(MoserHex_NODE NAMES node nodejs DOC "Node.js")
 find_program(MoserHex_NPM npm DOC "npm, the package manager of Node.js")
 mark_as_advanced(MoserHex_NODE MoserHex_NPM)
@@ -18,13 +18,13 @@ function(moserhex_bundle_web)
   foreach(file IN LISTS arg_FILES)
     configure_file(${arg_FOLDER}/${file} ${folder}/${file} COPYONLY)
   endforeach()
-  set(only_run "")
-  if(NOT MoserHex_BUILD_TESTING)
-    set(only_run --omit=dev)
-  endif()
   set(installed ${folder}/node_modules/.package-lock.json) # npm writes it last
+  set(only_run ON)
+  if(MoserHex_BUILD_TESTING)
+    set(only_run OFF)
+  endif()
   add_custom_command(OUTPUT ${installed}
-    COMMAND ${MoserHex_NPM} ci ${only_run} --ignore-scripts --no-audit --no-fund --loglevel=error
+    COMMAND ${CMAKE_COMMAND} -DNPM=${MoserHex_NPM} -DONLY_RUN=${only_run} -P ${PROJECT_SOURCE_DIR}/CMake/MoserHexNpmInstall.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${installed}
     DEPENDS ${folder}/package.json ${folder}/package-lock.json
     WORKING_DIRECTORY ${folder} COMMENT "Installing the npm packages of the reports" VERBATIM)

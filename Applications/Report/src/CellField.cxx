@@ -4,11 +4,17 @@
 #include "moserhex/Quality/HexQuality.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace moserhex::app
 {
 namespace
 {
+
+/** Numbers that differ by less than this part of them are the same but for rounding. */
+constexpr double sameBut = 1e-9;
+
+constexpr double none = 1e-300; ///< what is not larger is 0
 
 std::vector<CellField>
 emptyQualityFields()
@@ -100,6 +106,12 @@ rangeOf(const CellField & field)
   {
     range.low = std::min(range.low, value);
     range.high = std::max(range.high, value);
+  }
+  const double size = std::max(std::abs(range.low), std::abs(range.high));
+  if (range.high - range.low <= std::max(sameBut * size, none))
+  {
+    const double room = size > none ? 0.05 * size : 1.0;
+    range = { range.low - room, range.high + room };
   }
   return range;
 }

@@ -24,6 +24,7 @@ using Outliers = std::vector<std::vector<int>>; ///< by column, then by row
 
 constexpr double      farFromMedian = 3.5;
 constexpr double      normalDeviation = 1.4826;
+constexpr double      roundOff = 1e-9; ///< of the median: numbers nearer to it are the same
 constexpr std::size_t fewestForOutliers = 6;
 constexpr std::size_t mostNamed = 12; ///< failed and missing cases in the list of what to look at, and outliers
 
@@ -180,8 +181,7 @@ histogramsSection(const GroupContent & content)
       continue;
     }
     const auto [least, most] = std::minmax_element(field.values.begin(), field.values.end());
-    const double room = *most > *least ? 0.0 : *most == 0.0 ? 1.0 : 0.05 * std::abs(*most);
-    field.shown = { *least - room, *most + room };
+    field.shown = { *least, *most };
     html += "<div class=\"measure\"><h3>" + escapeHtml(field.name) + "</h3>\n" + histogramSvg(field) +
             distributionList(field) + "</div>\n";
   }
@@ -265,7 +265,7 @@ outliersOf(const GroupContent & content, std::size_t column)
   for (std::size_t row = 0; row < content.rows.size(); ++row)
   {
     const double difference = content.rows[row].figures[column] - median;
-    if (isDone(content.rows[row]) && limit > 0.0 && std::abs(difference) > limit)
+    if (isDone(content.rows[row]) && limit > 0.0 && std::abs(difference) > limit && std::abs(difference) > roundOff * std::abs(median))
     {
       marks[row] = difference > 0.0 ? 1 : -1;
     }

@@ -61,9 +61,11 @@ axisSvg(const CellField::Range & range)
   const double floorY = top + height;
   std::string  svg = "<line class=\"axis\"" + attribute("x1", side) + attribute("x2", width - side) +
                     attribute("y1", floorY) + attribute("y2", floorY) + "/>";
-  for (double mark = std::ceil(range.low / step); mark * step <= range.high + 1e-9 * span; ++mark)
+  const double first = std::ceil(range.low / step);
+  const int    marks = static_cast<int>(std::floor((range.high + 1e-9 * span) / step - first)) + 1;
+  for (int mark = 0; mark < marks; ++mark)
   {
-    const double value = mark * step;
+    const double value = (first + mark) * step;
     const double x = side + (value - range.low) / span * (width - 2.0 * side);
     svg += "<line class=\"axis\"" + attribute("x1", x) + attribute("x2", x) + attribute("y1", floorY) +
            attribute("y2", floorY + 4.0) + "/>" + textAt(x, floorY + 17.0, "middle", shortNumber(value + 0.0, 4));

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace moserhex;
 using namespace moserhex::app;
 
@@ -173,6 +175,20 @@ TEST(Histogram, HatchesWhatIsNotAcceptable)
   EXPECT_NE(distributionList(field).find("66.67 % of the cells"), std::string::npos);
   field.acceptable.reset();
   EXPECT_EQ(histogramSvg(field).find("outside"), std::string::npos);
+}
+
+TEST(Histogram, OfNumbersThatAreTheSameButForRoundingHasAnAxis)
+{
+  for (const double value : { 1.0, -7.25e5, 3e-12, 0.0 })
+  {
+    const double    next = std::nextafter(value, 10.0 * value + 1.0);
+    const CellField field{ "a", "A", "", { value, next, next }, {}, { value, next } };
+    const auto      range = rangeOf(field);
+    EXPECT_GT(range.high - range.low, 0.09 * std::abs(value));
+    const std::size_t marks = timesIn(histogramSvg(field), "text-anchor");
+    EXPECT_GE(marks, 2u) << value;
+    EXPECT_LE(marks, 12u) << value;
+  }
 }
 
 TEST(Slices, OfAnImageWithoutTheLabelAreNone)

@@ -54,6 +54,12 @@ TEST(Outliers, AreNoneAmongEqualNumbersAndUnknownOnes)
   EXPECT_EQ(outliersOf(groupOf({ std::nan(""), std::nan("") }), 0), std::vector<int>(2, 0));
 }
 
+TEST(Outliers, AreNoneAmongNumbersThatDifferByRounding)
+{
+  const double e = 2.3e-16;
+  EXPECT_EQ(outliersOf(groupOf({ 1, 1 + e, 1 + e, 1, 1 + e, 1, 1 + 100 * e, 1 - e }), 0), std::vector<int>(8, 0));
+}
+
 TEST(Outliers, FailedCasesAreNone)
 {
   GroupContent content = groupOf({ 9, 10, 11, 9.5, 10, 9, 1000 });

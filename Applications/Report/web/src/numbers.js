@@ -22,9 +22,7 @@ export function roundMarks(low, high, parts) {
   const decade = 10 ** Math.floor(Math.log10(span / parts));
   const ratio = span / parts / decade;
   const step = decade * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
-  const marks = [];
-  for (let n = Math.ceil(low / step - 1e-9); n * step <= high + 1e-9 * span; ++n) {
-    marks.push(n * step + 0); // no negative zero
-  }
-  return marks;
+  const first = Math.ceil(low / step - 1e-9);
+  const length = Math.floor(high / step + 1e-9 * parts - first) + 1;
+  return Array.from({ length }, (_, n) => (first + n) * step + 0); // no negative zero
 }
