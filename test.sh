@@ -12,6 +12,8 @@ packages="$packages clang-format-14 calculix-ccx gmsh python3-meshio"
 packages="$packages pybind11-dev python3-dev python3-numpy mricron-data"
 # A Slurm cluster of one node, and Snakemake, for the test of the workflow; it skips, saying so, where they are absent.
 packages="$packages munge slurmctld slurmd slurm-client snakemake"
+# A browser for the tests of the HTML reports, which skip, saying so, where it is absent.
+packages="$packages chromium fonts-dejavu-core"
 # The manual as a site, and its validator.
 packages="$packages doxygen furo python3-myst-parser python3-sphinx tidy"
 install_packages

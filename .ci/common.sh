@@ -3,6 +3,11 @@
 packages="build-essential ca-certificates ccache cmake git ninja-build
   libcairo2-dev libcli11-dev libeigen3-dev libexpat1-dev libgtest-dev libinsighttoolkit5-dev libkissfft-dev libvtk9-dev nlohmann-json3-dev"
 
+# The HTML reports are bundled with npm. A Node.js from elsewhere brings it along, and Debian's packages conflict with that one.
+if ! command -v npm > /dev/null; then
+  packages="$packages nodejs npm"
+fi
+
 # Installs what is missing, as root or by sudo; does nothing when nothing is.
 install_packages() {
   local package missing=() as_root=()

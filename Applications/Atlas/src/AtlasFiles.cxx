@@ -1,7 +1,9 @@
 #include "AtlasFiles.h"
 
+#include "AtlasPage.h"
 #include "AtlasTestFiles.h"
 #include "MeanLabelmap.h"
+#include "PageName.h"
 #include "TransferFiles.h"
 #include "Version.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
@@ -236,6 +238,10 @@ writeAtlas(const AtlasResult & result, const AtlasOptions & options)
     writeAtlasTest(options.outputFolder, test, result.mean.mesh);
   }
   writeSummary(result, options);
+  if (pagesAreBuilt())
+  {
+    writeAtlasPage(inFolder(options, "atlas.html"), result, options);
+  }
 }
 
 } // namespace moserhex::app

@@ -40,7 +40,7 @@ struct AtlasResult
   ModelQuality                quality; ///< no entries with fewer than three subjects
   std::vector<AtlasTest>      tests;
   std::optional<MeanImage>    images;      ///< where the options ask for it
-  std::vector<ModeMeshFigures> modeMeshes; ///< set by writeModeMeshes
+  std::vector<ModeMeshFigures> modeMeshes; ///< set by writeModeMeshes: up, down of each
   std::vector<std::string>     warnings;
 };
 

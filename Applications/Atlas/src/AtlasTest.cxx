@@ -11,6 +11,8 @@ namespace
 {
 using Column = std::vector<std::optional<double>>;
 
+constexpr double level = 0.05;
+
 /** Subjects without a missing value. */
 std::vector<std::size_t>
 completeSubjects(const std::vector<Column> & columns)
@@ -108,6 +110,46 @@ effectSizes(const AtlasTest & test)
     return test.result.partialCorrelation.cwiseAbs2();
   }
   return test.groups.empty() ? test.result.partialCorrelation : test.result.standardisedDifference;
+}
+
+std::vector<NodeChange>
+changesOf(const AtlasTest & test)
+{
+  if (!test.hasManyGroups())
+  {
+    return { { test.groups.empty() ? "Slope" : "Difference", "", test.result.slope } };
+  }
+  std::vector<NodeChange> changes;
+  const auto              displacements = groupDisplacements(test.result.slope, test.groupSizes);
+  for (std::size_t group = 0; group < test.groups.size(); ++group)
+  {
+    changes.push_back({ "Difference_" + test.groups[group], test.groups[group], displacements[group] });
+  }
+  return changes;
+}
+
+std::string
+describe(const AtlasTest & test)
+{
+  const auto group = [&test](std::size_t number) {
+    return test.groups[number] + " (" + std::to_string(test.groupSizes[number]) + ")";
+  };
+  if (test.groups.size() == 2)
+  {
+    return test.column + ", " + group(1) + " against " + group(0);
+  }
+  std::string text = test.column;
+  for (std::size_t number = 0; number < test.groups.size(); ++number)
+  {
+    text += ", " + group(number);
+  }
+  return text;
+}
+
+Eigen::Index
+nodesAtLevel(const Eigen::VectorXd & p)
+{
+  return (p.array() <= level).count();
 }
 
 std::vector<AtlasTest>

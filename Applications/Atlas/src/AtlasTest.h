@@ -33,6 +33,26 @@ struct AtlasTest
 [[nodiscard]] Eigen::VectorXd
 effectSizes(const AtlasTest & test);
 
+/** How nodes moved, of one group, one comparison or a regression. */
+struct NodeChange
+{
+  std::string     name;  ///< "Difference", "Difference_GROUP" or "Slope"
+  std::string     group; ///< of more than two, else empty
+  Eigen::MatrixXd moves; ///< 3 x nodes [mm, of a regression mm per unit]
+};
+
+/** Of two groups second less first, of more each from the mean of all, of a regression the slope. */
+[[nodiscard]] std::vector<NodeChange>
+changesOf(const AtlasTest & test);
+
+/** "arm, treated (20) against control (20)", or all groups one after the other; of a regression the column. */
+[[nodiscard]] std::string
+describe(const AtlasTest & test);
+
+/** Nodes whose p, or q, is at most 0.05. */
+[[nodiscard]] Eigen::Index
+nodesAtLevel(const Eigen::VectorXd & p);
+
 /** What the options ask for of the two: groups, then regression.
  * \param aligned  a row a subject: the coordinates of all nodes [mm]
  * \throws BadInput  as groupsOfColumn and numbersOfColumn; or the design cannot be tested, as permutationTest says */

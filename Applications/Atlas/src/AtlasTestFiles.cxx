@@ -7,38 +7,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cctype>
+
 namespace moserhex::app
 {
 namespace
 {
 using Cells = std::vector<std::string>;
 
-constexpr double level = 0.05; ///< at which the summary counts nodes
-
-/** A vector at every node that the test shows. */
-struct Change
+/** "difference_GROUP": the name of a column, whose first letter is small. */
+std::string
+columnOf(const NodeChange & change)
 {
-  std::string     array; ///< in the mesh
-  std::string     column;
-  Eigen::MatrixXd values; ///< 3 x nodes [mm, or mm per unit]
-};
-
-/** Of two groups second less first, of more each from the mean of all, of a regression the slope. */
-std::vector<Change>
-changesOf(const AtlasTest & test)
-{
-  if (!test.hasManyGroups())
-  {
-    return { test.groups.empty() ? Change{ "Slope", "slope", test.result.slope }
-                                 : Change{ "Difference", "difference", test.result.slope } };
-  }
-  std::vector<Change> changes;
-  const auto          displacements = groupDisplacements(test.result.slope, test.groupSizes);
-  for (std::size_t group = 0; group < test.groups.size(); ++group)
-  {
-    changes.push_back({ "Difference_" + test.groups[group], "difference_" + test.groups[group], displacements[group] });
-  }
-  return changes;
+  std::string name = change.name;
+  name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+  return name;
 }
 
 struct Figure
@@ -80,9 +63,9 @@ void
 writeTestMesh(const std::string & fileName, const AtlasTest & test, const HexMesh & mean)
 {
   HexMeshFields fields;
-  for (const Change & change : changesOf(test))
+  for (const NodeChange & change : changesOf(test))
   {
-    fields.pointArrays.push_back(arrayOf(change.array, 3, change.values));
+    fields.pointArrays.push_back(arrayOf(change.name, 3, change.moves));
   }
   for (const Figure & figure : figuresOf(test))
   {
@@ -94,14 +77,14 @@ writeTestMesh(const std::string & fileName, const AtlasTest & test, const HexMes
 void
 writeTestTable(const std::string & fileName, const AtlasTest & test, const HexMesh & mean)
 {
-  const std::vector<Change> changes = changesOf(test);
-  const std::vector<Figure> figures = figuresOf(test);
-  Cells                     header{ "node", "i", "j", "k", "x", "y", "z" };
-  for (const Change & change : changes)
+  const std::vector<NodeChange> changes = changesOf(test);
+  const std::vector<Figure>     figures = figuresOf(test);
+  Cells                         header{ "node", "i", "j", "k", "x", "y", "z" };
+  for (const NodeChange & change : changes)
   {
     for (const char * axis : { "_x", "_y", "_z" })
     {
-      header.push_back(change.column + axis);
+      header.push_back(columnOf(change) + axis);
     }
   }
   for (const Figure & figure : figures)
@@ -128,9 +111,9 @@ writeTestTable(const std::string & fileName, const AtlasTest & test, const HexMe
       cells.push_back(std::to_string(index));
     }
     addVector(mean.nodes[node]);
-    for (const Change & change : changes)
+    for (const NodeChange & change : changes)
     {
-      addVector(change.values.col(place));
+      addVector(change.moves.col(place));
     }
     for (const Figure & figure : figures)
     {
@@ -166,9 +149,8 @@ testJson(const AtlasTest & test)
                                { "degrees_of_freedom", test.result.degreesOfFreedom },
                                { "smallest_p", test.result.p.minCoeff() },
                                { "smallest_p_family_wise", test.result.pFamilyWise.minCoeff() },
-                               { "nodes_p_family_wise_005", (test.result.pFamilyWise.array() <= level).count() },
-                               { "nodes_q_false_discovery_005",
-                                 (test.result.qFalseDiscovery.array() <= level).count() },
+                               { "nodes_p_family_wise_005", nodesAtLevel(test.result.pFamilyWise) },
+                               { "nodes_q_false_discovery_005", nodesAtLevel(test.result.qFalseDiscovery) },
                                { "largest_effect_size", effectSizes(test).maxCoeff() } };
   if (!test.groups.empty())
   {

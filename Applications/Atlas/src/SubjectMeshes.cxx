@@ -1,5 +1,6 @@
 #include "SubjectMeshes.h"
 
+#include "Silhouette.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/ShapeStatistics/ShapeModel.h"
 
@@ -70,7 +71,8 @@ readSubjectMeshes(const AtlasSubjects &               subjects,
     requireSameLattice(file, mesh, result);
     result.nodes->writeSubject(i, coordinatesOf(mesh.nodes));
     const std::vector<double> volumes = cellVolumes(mesh);
-    result.figures.push_back({ std::accumulate(volumes.begin(), volumes.end(), 0.0), centroidSize(mesh.nodes) });
+    result.figures.push_back(
+      { std::accumulate(volumes.begin(), volumes.end(), 0.0), centroidSize(mesh.nodes), silhouette(mesh) });
     const std::string warning = turnedLatticeWarning(file);
     if (!warning.empty())
     {

@@ -16,8 +16,9 @@ namespace moserhex::app
 /** What is known of a subject besides its nodes. */
 struct SubjectFigures
 {
-  double volume{ 0.0 };       ///< of its mesh [mm^3]
-  double centroidSize{ 0.0 }; ///< of its nodes [mm]
+  double      volume{ 0.0 };       ///< of its mesh [mm^3]
+  double      centroidSize{ 0.0 }; ///< of its nodes [mm]
+  std::string outline{};           ///< of its mesh, see silhouette()
 };
 
 /** The nodes of all subjects, and what was noticed on reading. */

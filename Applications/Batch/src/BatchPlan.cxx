@@ -75,6 +75,13 @@ damageOf(const BatchCase & batchCase, const JournalEntry & entry)
   return !ofMesh.empty() ? ofMesh : damage(batchCase.options.reportFile, entry.reportSha256, "report");
 }
 
+bool
+isPageMissing(const MeshCommandOptions & options)
+{
+  std::error_code ignored;
+  return !options.pageFile.empty() && !fs::is_regular_file(options.pageFile, ignored);
+}
+
 /** What changed since the entry; empty: nothing. */
 std::string
 changeSince(const CaseKey & then, const CaseKey & now)
@@ -111,6 +118,10 @@ planCase(const BatchCase & batchCase, const JournalContent & journal, const Plan
   if (entry.done)
   {
     planned.reason = damageOf(batchCase, entry);
+    if (planned.reason.empty() && isPageMissing(batchCase.options))
+    {
+      planned.reason = "page missing";
+    }
     planned.action = planned.reason.empty() ? PlannedCase::Action::Done : PlannedCase::Action::Run;
     return planned;
   }

@@ -21,7 +21,7 @@ struct PlannedCase
   };
 
   Action      action{ Action::Run };
-  std::string reason;    ///< "new", "input changed", ...; the code of what failed
+  std::string reason;    ///< "new", "input changed", "page missing", ...; the code of what failed
   CaseKey     key;       ///< as of now
   std::string staleMesh; ///< SHA-256 of a mesh that an earlier run made there; empty: none
 };

@@ -2,6 +2,7 @@
 
 #include "BatchProgress.h"
 #include "CaseFailure.h"
+#include "CaseNames.h"
 #include "MeshArguments.h"
 #include "OutputRoom.h"
 #include "StopSignals.h"
@@ -97,6 +98,10 @@ private:
       command.push_back(argument);
     }
     command.push_back("--report=" + batchCase.options.reportFile);
+    if (!batchCase.options.pageFile.empty())
+    {
+      command.push_back("--report=" + batchCase.options.pageFile);
+    }
     command.push_back("--threads=" + std::to_string(m_Options.threadsOfCase));
     command.emplace_back("--quiet");
     if (m_Options.reproducible)
@@ -161,6 +166,7 @@ private:
     const BatchCase & batchCase = m_Cases[ended.index];
     removePartOf(batchCase.options.output, ended.id);
     removePartOf(batchCase.options.reportFile, ended.id);
+    removePartOf(pageNameOf(batchCase.options.reportFile), ended.id);
     try
     {
       if (end.wasStopped && end.exitStatus != 0)

@@ -144,6 +144,12 @@ reportNameOf(const std::string & meshName)
 }
 
 std::string
+pageNameOf(const std::string & reportName)
+{
+  return reportName.substr(0, reportName.rfind('.')) + ".html";
+}
+
+std::string
 labelledName(const std::string & meshName, const std::string & text)
 {
   const std::size_t begin = meshName.rfind('/') + 1; // 0 where there is none
@@ -157,7 +163,7 @@ bool
 isNameOfBatch(const std::string & name)
 {
   const std::string lower = lowerCase(name);
-  return lower == "summary.csv" || lower == "summary.json" || startsWith(lower, ".lock") ||
+  return lower == "summary.csv" || lower == "summary.json" || lower == "summary.html" || startsWith(lower, ".lock") ||
          (startsWith(lower, "journal") && hasEnding(lower, ".jsonl"));
 }
 

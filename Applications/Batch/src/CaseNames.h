@@ -27,6 +27,10 @@ stemOf(const std::string & inputName);
 [[nodiscard]] std::string
 reportNameOf(const std::string & meshName);
 
+/** With .html in place of the report's ending. */
+[[nodiscard]] std::string
+pageNameOf(const std::string & reportName);
+
 /** The mesh's name with a label in it: a.vtu becomes a_label-TEXT.vtu. In a BIDS name the label stands where BIDS wants
  * it, before _desc- and the suffix: sub-01_desc-manual_dseg.vtu becomes sub-01_label-TEXT_desc-manual_dseg.vtu; one
  * that is there already is extended, since an entity may not occur twice: sub-01_label-GM_mask.vtu becomes
@@ -35,7 +39,7 @@ reportNameOf(const std::string & meshName);
 labelledName(const std::string & meshName, const std::string & text);
 
 /** Whether the batch itself keeps a file of this name at the top of the output folder, upper and lower case alike:
- * summary.csv, summary.json, journal*.jsonl, .lock* */
+ * summary.csv, summary.json, summary.html, journal*.jsonl, .lock* */
 [[nodiscard]] bool
 isNameOfBatch(const std::string & name);
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /** Where a column's number stands; "/last" is the last stage that left a mesh. */
-constexpr std::array<std::pair<const char *, const char *>, 16> figurePlaces{ {
+constexpr std::array<std::pair<const char *, const char *>, 18> figurePlaces{ {
   { "nodes", "/mesh/nodes" },
   { "cells", "/mesh/cells" },
   { "label_volume_mm3", "/input/volume_mm3" },
@@ -28,11 +28,13 @@ constexpr std::array<std::pair<const char *, const char *>, 16> figurePlaces{ {
   { "concave_percent", "/last/concave_percent" },
   { "sj_min", "/last/sj_min" },
   { "sj_median", "/last/sj_median" },
+  { "sj_mean", "/last/sj_mean" },
   { "exact", "/exact/reached" },
   { "certified", "/exact/certified" },
   { "surface_rms_mm", "/surface/rms_mm" },
   { "surface_max_mm", "/surface/max_mm" },
   { "repair_percent", "/conditioning/changed_percent" },
+  { "dice", "/conditioning/dice" },
   { "warnings", "/warning_count" },
   { "seconds", "/seconds" },
   { "peak_memory_mib", "/peak_memory_mib" },
@@ -156,6 +158,7 @@ readCaseReport(const std::string & fileName)
   report.meshFile = textAt(json, "/mesh/file");
   report.labels = labelsOf(json);
   report.labelName = textAt(json, "/input/label_name");
+  report.outline = textAt(json, "/mesh/outline");
   json["last"] = lastMeasuredStage(json);
   for (const auto & [name, place] : figurePlaces)
   {

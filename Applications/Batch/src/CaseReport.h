@@ -17,6 +17,7 @@ struct CaseReport
   std::string                   meshFile;
   std::string                   labels; ///< "3", "1 2"; empty: not read
   std::string                   labelName;
+  std::string                   outline; ///< of the mesh, see RunReport
   std::map<std::string, double> figures; ///< all of summaryFigures(); NaN where the report has no number
 };
 

@@ -1,5 +1,6 @@
 #include "Summary.h"
 
+#include "CaseNames.h"
 #include "CaseReport.h"
 #include "SameFile.h"
 #include "moserhex/Common/Parallel.h"
@@ -79,6 +80,10 @@ rowOf(const BatchCase & batchCase)
   row.labels = report->labels.empty() ? row.labels : report->labels;
   row.labelName = row.labelName.empty() ? report->labelName : row.labelName;
   row.figures = report->figures;
+  row.outline = report->outline;
+  const std::string page = pageNameOf(batchCase.options.reportFile);
+  std::error_code   ignored;
+  row.page = fs::is_regular_file(page, ignored) ? page : "";
   return row;
 }
 

@@ -32,12 +32,14 @@ struct SummaryRow
   std::string                   labels; ///< "3", "1 2"
   std::string                   labelName;
   std::map<std::string, double> figures; ///< by the name of the column; see summaryFigures
+  std::string                   outline; ///< of the mesh, see RunReport; empty: not known
+  std::string                   page;    ///< its own page, a path as this process can open it; empty: there is none
   std::vector<std::string>      kept;
 };
 
 /** The names of the columns with numbers, in their order: nodes, cells, label_volume_mm3, mesh_volume_mm3,
- * volume_variance, concave_percent, sj_min, sj_median, exact (1 or 0), certified (1 or 0), surface_rms_mm,
- * surface_max_mm, repair_percent, warnings, seconds, peak_memory_mib. */
+ * volume_variance, concave_percent, sj_min, sj_median, sj_mean, exact (1 or 0), certified (1 or 0), surface_rms_mm,
+ * surface_max_mm, repair_percent, dice, warnings, seconds, peak_memory_mib. */
 [[nodiscard]] const std::vector<std::string> &
 summaryFigures();
 

@@ -54,7 +54,8 @@ TEST(CaseNames, LabelsStandAtTheEndOfOtherNames)
 
 TEST(CaseNames, WhatTheBatchKeepsIsKnownInAnyCase)
 {
-  for (const char * name : { "summary.csv", "Summary.JSON", "journal.jsonl", "journal-2.jsonl", ".lock", ".lock-1" })
+  for (const char * name :
+       { "summary.csv", "Summary.JSON", "summary.html", "journal.jsonl", "journal-2.jsonl", ".lock", ".lock-1" })
   {
     EXPECT_TRUE(isNameOfBatch(name)) << name;
   }

@@ -27,9 +27,10 @@ someReport()
   report.conditioning.emplace().changedPercent = 0.5;
   report.stages = { { "conditioning", 0.5, {} },
                     { "initial", 0.25, StageQuality{ 0.5, 2.0, -0.5, 0.25 } },
-                    { "exact", 0.25, StageQuality{ 1e-19, 0.0, 0.125, 0.75 } },
+                    { "exact", 0.25, StageQuality{ 1e-19, 0.0, 0.125, 0.75, 0.625 } },
                     { "writing", 0.25, {} } };
-  report.mesh = { "out/case.vtu", 8000, 6859, 5000.25 };
+  report.conditioning->dice = 0.99;
+  report.mesh = { "out/case.vtu", 8000, 6859, 5000.25, "0,0 1,0 1,1" };
   report.surface = RunReport::Surface{ 0.1, 0.4 };
   report.exact.emplace().reached = true;
   report.warnings = { "one", "two" };
@@ -62,6 +63,7 @@ TEST_F(CaseReportFile, OfAMeshHasItsNamesLabelsAndFigures)
   EXPECT_EQ(report->meshFile, "out/case.vtu");
   EXPECT_EQ(report->labels, "3");
   EXPECT_EQ(report->labelName, "Left Putamen");
+  EXPECT_EQ(report->outline, "0,0 1,0 1,1");
   const std::map<std::string, double> expected{ { "nodes", 8000.0 },
                                                 { "cells", 6859.0 },
                                                 { "label_volume_mm3", 5000.5 },
@@ -70,11 +72,13 @@ TEST_F(CaseReportFile, OfAMeshHasItsNamesLabelsAndFigures)
                                                 { "concave_percent", 0.0 },
                                                 { "sj_min", 0.125 },
                                                 { "sj_median", 0.75 },
+                                                { "sj_mean", 0.625 },
                                                 { "exact", 1.0 },
                                                 { "certified", 0.0 },
                                                 { "surface_rms_mm", 0.1 },
                                                 { "surface_max_mm", 0.4 },
                                                 { "repair_percent", 0.5 },
+                                                { "dice", 0.99 },
                                                 { "warnings", 2.0 },
                                                 { "seconds", 12.5 },
                                                 { "peak_memory_mib", 321.25 } };

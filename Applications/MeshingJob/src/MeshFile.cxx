@@ -1,9 +1,11 @@
 #include "MeshFile.h"
 
+#include "CasePage.h"
 #include "CommandErrors.h"
 #include "Guard.h"
 #include "MeshReport.h"
 #include "OutputName.h"
+#include "PageName.h"
 #include "PeakMemory.h"
 #include "ScaledJacobians.h"
 #include "moserhex/Common/Parallel.h"
@@ -29,14 +31,23 @@ requireUsableNames(const MeshCommandOptions & options)
 {
   requireHexMeshName(options.output);
   requireUsable(options);
+  requirePagesFor(options.pageFile);
   for (const std::string & input : inputFiles(options))
   {
     requireKept(input, options.output);
     requireKept(input, options.reportFile);
+    requireKept(input, options.pageFile);
   }
-  if (sameFile(options.output, options.reportFile))
+  for (const std::string & report : { options.reportFile, options.pageFile })
   {
-    throw UsageError(fileMessage(options.output, "is both OUTPUT and report", "give the report another name"));
+    if (sameFile(options.output, report))
+    {
+      throw UsageError(fileMessage(options.output, "is both OUTPUT and report", "give the report another name"));
+    }
+  }
+  if (sameFile(options.reportFile, options.pageFile))
+  {
+    throw UsageError(fileMessage(options.pageFile, "is both report and page", "give one of them another name"));
   }
 }
 
@@ -82,9 +93,12 @@ makeMesh(const MeshCommandOptions &                       options,
   meshed.solid = readSolid(options.input);
   addSolid(meshed.solid, report);
   requireWritable(options.output);
-  if (!options.reportFile.empty())
+  for (const std::string & file : { options.reportFile, options.pageFile })
   {
-    requireWritable(options.reportFile);
+    if (!file.empty())
+    {
+      requireWritable(file);
+    }
   }
   ScalarImage density;
   if (!options.density.empty())
@@ -114,20 +128,50 @@ makeMesh(const MeshCommandOptions &                       options,
   writeHexMesh(options.output, mesh, fieldsOf(mesh, meshed.solid, options.threads));
 }
 
-/** Writes the report of a run that ended with the exception being handled. That it cannot be written is not said: the
- * run's own error is what counts. */
+/** What a page shows of a run, as far as it came. */
+CaseContent
+contentOf(const MeshedFile & meshed, unsigned int threads)
+{
+  CaseContent content;
+  content.report = meshed.report;
+  content.labels = meshed.solid.labels;
+  content.image = meshed.solid.image.image;
+  if (!meshed.report.failure)
+  {
+    content.mesh = &meshed.pipeline->GetHexMesh();
+    content.labelOfCells = fieldsOf(*content.mesh, meshed.solid, threads).label;
+  }
+  return content;
+}
+
+/** Writes the reports that were asked for. */
 void
-writeReportOfFailure(const std::string & fileName, RunReport & report)
+writeReports(const MeshCommandOptions & options, const MeshedFile & meshed)
+{
+  if (!options.reportFile.empty())
+  {
+    writeRunReport(options.reportFile, meshed.report);
+  }
+  if (!options.pageFile.empty())
+  {
+    writeCasePage(options.pageFile, contentOf(meshed, options.threads));
+  }
+}
+
+/** Writes the reports of a run that ended with the exception being handled. That they cannot be written is not said:
+ * the run's own error is what counts. */
+void
+writeReportsOfFailure(const MeshCommandOptions & options, MeshedFile & meshed)
 {
   const Failure failure = describeFailure(std::current_exception());
-  if (fileName.empty() || failure.code == ErrorCode::Usage || failure.code == ErrorCode::Cancelled)
+  if (failure.code == ErrorCode::Usage || failure.code == ErrorCode::Cancelled)
   {
     return;
   }
-  report.failure = RunReport::Failure{ failure.code, failure.message };
+  meshed.report.failure = RunReport::Failure{ failure.code, failure.message };
   try
   {
-    writeRunReport(fileName, report);
+    writeReports(options, meshed);
   }
   catch (const std::exception &)
   {
@@ -181,14 +225,11 @@ meshFile(const MeshCommandOptions &                       userOptions,
   catch (...)
   {
     addCosts();
-    writeReportOfFailure(options.reportFile, report);
+    writeReportsOfFailure(options, meshed);
     throw;
   }
   addCosts();
-  if (!options.reportFile.empty())
-  {
-    writeRunReport(options.reportFile, report);
-  }
+  writeReports(options, meshed);
   return meshed;
 }
 

@@ -13,7 +13,8 @@ struct MeshCommandOptions
 {
   InputOptions               input;
   std::string                output;
-  std::string                reportFile;            ///< empty: no report
+  std::string                reportFile;            ///< JSON; empty: no report
+  std::string                pageFile;              ///< the report as HTML; empty: none
   bool                       reproducible{ false }; ///< the report has no times, threads and memory
   int                        shells{ 10 };
   std::string                stage{ "exact" };      ///< initial | smoothed | moser | exact

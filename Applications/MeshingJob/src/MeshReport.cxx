@@ -1,6 +1,7 @@
 #include "MeshReport.h"
 
 #include "Console.h"
+#include "Silhouette.h"
 #include "Version.h"
 
 #include <cstdio>
@@ -60,13 +61,15 @@ describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageRe
       record.quality = StageQuality{ stage.quality->volumeVariance,
                                      stage.quality->concavePercent,
                                      stage.quality->scaledJacobian.minimum,
-                                     stage.quality->scaledJacobian.median };
+                                     stage.quality->scaledJacobian.median,
+                                     stage.quality->scaledJacobian.mean };
       report.mesh.volume = stage.quality->volume;
     }
     report.stages.push_back(record);
   }
   report.mesh.nodes = result.mesh.nodes.size();
   report.mesh.cells = result.mesh.cellCount();
+  report.mesh.outline = silhouette(result.mesh);
   report.surface = RunReport::Surface{ result.boundary.rms, result.boundary.maximum };
   if (report.templateMesh)
   {
@@ -193,6 +196,10 @@ printSummary(const RunReport & report, const ChosenSolid & solid, const MeshComm
   if (!options.reportFile.empty())
   {
     std::printf("report  %s\n", options.reportFile.c_str());
+  }
+  if (!options.pageFile.empty())
+  {
+    std::printf("page    %s\n", options.pageFile.c_str());
   }
 }
 

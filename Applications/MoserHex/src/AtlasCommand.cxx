@@ -20,7 +20,6 @@ namespace moserhex::app
 namespace
 {
 
-constexpr double level = 0.05;
 constexpr double analysisPart = 0.6; ///< of the whole run, for progress only
 
 /** K modes or P % of the variance. */
@@ -64,25 +63,6 @@ requireConsistent(const AtlasCommandOptions & options)
   }
 }
 
-/** "arm, treated (20) against control (20)", or all groups one after the other. */
-std::string
-describe(const AtlasTest & test)
-{
-  const auto group = [&test](std::size_t number) {
-    return test.groups[number] + " (" + std::to_string(test.groupSizes[number]) + ")";
-  };
-  if (test.groups.size() == 2)
-  {
-    return test.column + ", " + group(1) + " against " + group(0);
-  }
-  std::string text = test.column;
-  for (std::size_t number = 0; number < test.groups.size(); ++number)
-  {
-    text += ", " + group(number);
-  }
-  return text;
-}
-
 void
 printTest(const AtlasTest & test)
 {
@@ -93,9 +73,9 @@ printTest(const AtlasTest & test)
               result.permutations,
               result.isExact ? "orders, all there are" : "permutations",
               result.pFamilyWise.minCoeff(),
-              (result.pFamilyWise.array() <= level).count(),
+              nodesAtLevel(result.pFamilyWise),
               result.p.size(),
-              (result.qFalseDiscovery.array() <= level).count());
+              nodesAtLevel(result.qFalseDiscovery));
 }
 
 void

@@ -3,13 +3,16 @@
 #include "BatchPlan.h"
 #include "BatchProgress.h"
 #include "BatchRun.h"
+#include "CaseNames.h"
 #include "CommandErrors.h"
 #include "Console.h"
 #include "Journal.h"
 #include "MeshArguments.h"
 #include "OutputLock.h"
+#include "PageName.h"
 #include "Shard.h"
 #include "Summary.h"
+#include "SummaryPage.h"
 #include "TextTable.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
@@ -135,6 +138,17 @@ verifyMeshes(const CaseList & list, const JournalContent & journal)
   return damages.empty() ? EXIT_SUCCESS : someFailed;
 }
 
+/** \throws InvalidInput (Usage)  a program without pages */
+void
+addPages(CaseList & list)
+{
+  for (BatchCase & batchCase : list.cases)
+  {
+    batchCase.options.pageFile = pageNameOf(batchCase.options.reportFile);
+    requirePagesFor(batchCase.options.pageFile);
+  }
+}
+
 BatchRunOptions
 runOptions(const BatchCommandOptions & options, const Shard & shard)
 {
@@ -174,6 +188,12 @@ groupFiguresName(const BatchCommandOptions & options)
   return (fs::path(options.list.outputFolder) / "summary.json").string();
 }
 
+std::string
+summaryPageName(const BatchCommandOptions & options)
+{
+  return (fs::path(options.list.outputFolder) / "summary.html").string();
+}
+
 /** Of a run of all cases; a shard knows only its own. */
 void
 writeSummary(const CaseList & list, const BatchCommandOptions & options)
@@ -181,9 +201,17 @@ writeSummary(const CaseList & list, const BatchCommandOptions & options)
   const std::vector<SummaryRow> rows = summarise(list, 0);
   writeSummaryTable(summaryTableName(options), rows, list.keptColumns);
   writeGroupFigures(groupFiguresName(options), groupFigures(rows));
+  if (pagesAreBuilt())
+  {
+    writeSummaryPage(summaryPageName(options), rows);
+  }
   if (!options.quiet)
   {
     std::printf("summary %s\n", summaryTableName(options).c_str());
+    if (pagesAreBuilt())
+    {
+      std::printf("page    %s\n", summaryPageName(options).c_str());
+    }
   }
 }
 
@@ -223,11 +251,12 @@ int
 runLocked(const CaseList & list, const Shard & shard, const BatchCommandOptions & options)
 {
   const Stopwatch          stopwatch;
-  std::vector<std::string> files{ summaryTableName(options), groupFiguresName(options) };
+  std::vector<std::string> files{ summaryTableName(options), groupFiguresName(options), summaryPageName(options) };
   for (const BatchCase & batchCase : list.cases)
   {
     files.push_back(batchCase.options.output);
     files.push_back(batchCase.options.reportFile);
+    files.push_back(pageNameOf(batchCase.options.reportFile));
   }
   removeAbandonedParts(files);
   const JournalContent journal = readJournals(options.list.outputFolder);
@@ -264,6 +293,10 @@ runBatchCommand(const BatchCommandOptions & options)
   const Shard shard = parseShard(options.shard);
   CaseList    list = listCases(options.list);
   shard.keepOwn(list.cases);
+  if (options.casePages)
+  {
+    addPages(list);
+  }
   printWarnings(list);
   if (!options.listCasesFile.empty())
   {

@@ -19,6 +19,7 @@ struct BatchCommandOptions
   bool                     retryFailed{ false };
   bool                     dryRun{ false };
   bool                     verify{ false };
+  bool                     casePages{ false }; ///< a page (HTML) for each case beside its report
   bool                     reproducible{ false };
   bool                     quiet{ false };
   std::string              listCasesFile; ///< only write the list of cases there; empty: no

@@ -2,9 +2,11 @@
 
 #include "CommandErrors.h"
 #include "Console.h"
+#include "PageName.h"
 #include "ReportSearch.h"
 #include "SameFile.h"
 #include "Summary.h"
+#include "SummaryPage.h"
 #include "SummaryText.h"
 
 #include <cstdio>
@@ -78,20 +80,32 @@ runCollectCommand(const CollectCommandOptions & options)
   const fs::path    folder = options.cases.outputFolder;
   const std::string csvFile = options.csvFile.empty() ? (folder / "summary.csv").string() : options.csvFile;
   const std::string jsonFile = options.jsonFile.empty() ? (folder / "summary.json").string() : options.jsonFile;
+  const std::string defaultPage = pagesAreBuilt() ? (folder / "summary.html").string() : "";
+  const std::string pageFile = options.pageFile.empty() ? defaultPage : options.pageFile;
+  requirePagesFor(pageFile);
   requireCasesForTheirOptions(options.cases);
   requireFolder(options.cases.outputFolder);
   if (sameFile(csvFile, jsonFile))
   {
     throw UsageError(fileMessage(csvFile, "is both table and figures", "give one of them another name"));
   }
+  if (sameFile(pageFile, csvFile) || sameFile(pageFile, jsonFile))
+  {
+    throw UsageError(fileMessage(pageFile, "is both page and table or figures", "give one of them another name"));
+  }
   const CaseList list = casesOf(options);
   requireFilesKept(options.cases, list, csvFile);
   requireFilesKept(options.cases, list, jsonFile);
+  requireFilesKept(options.cases, list, pageFile);
 
   const std::vector<SummaryRow> rows = summarise(list, 0);
   const GroupFigures            group = groupFigures(rows);
   writeSummaryTable(csvFile, rows, list.keptColumns);
   writeGroupFigures(jsonFile, group);
+  if (!pageFile.empty())
+  {
+    writeSummaryPage(pageFile, rows);
+  }
   for (const std::string & warning : list.warnings)
   {
     printWarning(warning);
@@ -99,6 +113,10 @@ runCollectCommand(const CollectCommandOptions & options)
   if (!options.quiet)
   {
     std::printf("%s\ntable    %s\nfigures  %s\n", describe(group).c_str(), csvFile.c_str(), jsonFile.c_str());
+    if (!pageFile.empty())
+    {
+      std::printf("page     %s\n", pageFile.c_str());
+    }
   }
   return group.failed + group.missing == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

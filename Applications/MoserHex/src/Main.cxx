@@ -11,6 +11,7 @@
 #include "Guard.h"
 #include "MeshArguments.h"
 #include "MeshCommand.h"
+#include "PageName.h"
 #include "QualityCommand.h"
 #include "SampleCommand.h"
 #include "Signals.h"
@@ -67,6 +68,21 @@ addOutput(CLI::App & command, std::string & output)
     ->required();
 }
 
+/** \throws CLI::ValidationError  two names for one kind of report */
+void
+takeReportNames(const std::vector<std::string> & names, MeshCommandOptions & options)
+{
+  for (const std::string & name : names)
+  {
+    std::string & file = isPageName(name) ? options.pageFile : options.reportFile;
+    if (!file.empty())
+    {
+      throw CLI::ValidationError("--report", "at most one page (.html) and one JSON file");
+    }
+    file = name;
+  }
+}
+
 void
 addMeshCommand(CLI::App & program, MeshCommandOptions & options)
 {
@@ -75,7 +91,12 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
   addInput(*command, options.input);
   addOutput(*command, options.output);
   addMeshingOptions(*command, options);
-  command->add_option("--report", options.reportFile, "Write a report of the run as JSON, also when it fails");
+  command
+    ->add_option_function<std::vector<std::string>>(
+      "--report",
+      [&options](const std::vector<std::string> & names) { takeReportNames(names, options); },
+      "Write a report of the run, also when it fails: .html a page to look at, else JSON; may be given once for each")
+    ->allow_extra_args(false);
   command->add_flag("--reproducible",
                     options.reproducible,
                     "Leave times, threads and memory out of the report: two runs write the same bytes");
@@ -161,6 +182,7 @@ addBatchCommand(CLI::App & program, BatchCommandOptions & options)
     "--list-cases", options.listCasesFile, "Write the cases and the options of each as a table; run nothing");
   dryRun->excludes(verify)->excludes(list);
   verify->excludes(list);
+  command->add_flag("--case-pages", options.casePages, "Write a page (HTML) for each case beside its report, too");
   command->add_option("--program", options.program, "Run this instead of the program itself")->group("");
   command->add_flag("--reproducible",
                     options.reproducible,
@@ -183,6 +205,7 @@ addCollectCommand(CLI::App & program, CollectCommandOptions & options)
   addCaseListOptions(*command, options.cases);
   command->add_option("--csv", options.csvFile, "Table to write, a row for each case [DIR/summary.csv]");
   command->add_option("--json", options.jsonFile, "Figures of the group to write [DIR/summary.json]");
+  command->add_option("--html", options.pageFile, "Page to look at to write [DIR/summary.html]");
   command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
   return command;
 }

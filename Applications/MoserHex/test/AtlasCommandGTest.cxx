@@ -1,5 +1,6 @@
 // Files exact; scores of projected meshes 1e-9 of a standard deviation, reconstructed nodes 1e-9 mm.
 #include "CommandTest.h"
+#include "PageName.h"
 #include "TextTable.h"
 #include "moserhex/Common/Random.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
@@ -100,6 +101,7 @@ TEST_F(AtlasCommand, WritesTheMeanTheModesAndTheTests)
   {
     EXPECT_TRUE(fs::exists(path(std::string("out/") + file))) << file;
   }
+  EXPECT_EQ(fs::exists(path("out/atlas.html")), pagesAreBuilt());
   const HexMesh           mean = readHexMesh(path("out/mean.vtu"));
   const HexQualitySummary quality = summarizeQuality(mean);
   EXPECT_LT(quality.volumeVariance, 1e-18);

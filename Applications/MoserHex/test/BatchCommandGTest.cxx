@@ -1,5 +1,6 @@
 // Exact: what a batch run makes, what it makes again, and what it says.
 #include "BatchFolder.h"
+#include "PageName.h"
 
 #include <chrono>
 #include <filesystem>
@@ -90,6 +91,23 @@ TEST_F(BatchCommand, OnlyWhatChangedIsMadeAgain)
   EXPECT_EQ(contentOf(path("out/case-002.vtu")), contentOf(path("out/case-003.vtu")));
   EXPECT_EQ(doneEntries().at("case-001.vtu"), 1);
   EXPECT_EQ(doneEntries().at("case-002.vtu"), 2);
+}
+
+TEST_F(BatchCommand, PagesAreWrittenAndMadeAgainWhereTheyAreMissing)
+{
+  if (!pagesAreBuilt())
+  {
+    GTEST_SKIP() << "MoserHex_BUILD_REPORTS is OFF";
+  }
+  writeSolids(2);
+  ASSERT_EQ(batch().exitCode, 0);
+  EXPECT_EQ(filesWithEnding("out", ".html"), 1u);
+  EXPECT_EQ(contentOf(path("out/summary.html")).find("href=\"case-001.html\""), std::string::npos);
+  EXPECT_NE(batch({ "--dry-run", "--case-pages" }).out.find("2  to run   page missing"), std::string::npos);
+  ASSERT_EQ(batch({ "--case-pages" }).exitCode, 0);
+  EXPECT_EQ(filesWithEnding("out", ".html"), 3u);
+  EXPECT_NE(contentOf(path("out/summary.html")).find("\"page\":\"case-001.html\""), std::string::npos);
+  EXPECT_NE(batch({ "--dry-run", "--case-pages" }).out.find("2  done"), std::string::npos);
 }
 
 TEST_F(BatchCommand, AMeshOfOtherInputsDoesNotOutliveAFailure)

@@ -1,5 +1,6 @@
 // Exact: reports of runs, found and summed up by the command.
 #include "CommandTest.h"
+#include "PageName.h"
 #include "TextTable.h"
 #include "moserhex/HexMeshIO/LabelImageWriter.h"
 
@@ -175,4 +176,18 @@ TEST_F(CollectCommand, FolderThatCannotBeWrittenEndsWithSeventyFour)
 {
   runCases();
   expectOneLineError(collect({ "--csv", path("no/t.csv") }), 74);
+}
+
+TEST_F(CollectCommand, PageIsWrittenWhereItIsWantedWithLinksFromThere)
+{
+  if (!pagesAreBuilt())
+  {
+    GTEST_SKIP() << "MoserHex_BUILD_REPORTS is OFF";
+  }
+  runCases();
+  EXPECT_EQ(meshCase("a", { "--report", path("out/a.html") }), 0);
+  EXPECT_EQ(collect({ "--html", path("group.html") }).exitCode, 1);
+  EXPECT_NE(contentOf(path("group.html")).find("\"page\":\"out/a.html\""), std::string::npos);
+  EXPECT_FALSE(fs::exists(path("out/summary.html")));
+  expectErrorCode(collect({ "--html", path("out/summary.csv") }), "E_USAGE");
 }

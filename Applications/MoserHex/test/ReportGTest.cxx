@@ -1,5 +1,6 @@
 // Exact: what the report of a run says, whatever came of the run.
 #include "CommandTest.h"
+#include "PageName.h"
 #include "PeakMemory.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/LabelImageWriter.h"
@@ -43,6 +44,20 @@ protected:
     EXPECT_EQ(report()["status"], "failed");
     EXPECT_EQ(report()["error"]["code"], code);
     EXPECT_EQ(outcome.error, "error: " + report()["error"]["message"].get<std::string>() + " [" + code + "]\n");
+  }
+};
+
+class ReportPage : public Report
+{
+protected:
+  void
+  SetUp() override
+  {
+    Report::SetUp();
+    if (!pagesAreBuilt())
+    {
+      GTEST_SKIP() << "MoserHex_BUILD_REPORTS is OFF";
+    }
   }
 };
 
@@ -130,6 +145,59 @@ TEST_F(Report, ThatIsReproducibleHasTheSameBytesForAnyNumberOfThreads)
   EXPECT_EQ(one.find("seconds"), std::string::npos);
   ASSERT_EQ(mesh("missing.nrrd", { "--reproducible", "--threads=1" }).exitCode, 3);
   EXPECT_EQ(contentOf(path("r.json")).find("seconds"), std::string::npos);
+}
+
+TEST_F(ReportPage, IsHtmlAndHoldsTheOtherReport)
+{
+  writeSample();
+  ASSERT_EQ(mesh("prostate.nrrd", { "--shells=3", "--report", path("r.html"), "--reproducible" }).exitCode, 0);
+  const std::string page = contentOf(path("r.html"));
+  EXPECT_EQ(page.find("<!DOCTYPE html>"), 0u);
+  const std::string begin = "id=\"report-data\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  EXPECT_EQ(nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at)), report());
+}
+
+TEST_F(ReportPage, ThatIsReproducibleHasTheSameBytesForAnyNumberOfThreads)
+{
+  writeSample();
+  const auto pageWith = [this](const std::string & threads) {
+    EXPECT_EQ(mesh("prostate.nrrd", { "--shells=3", "--reproducible", threads, "--report", path("r.html") }).exitCode,
+              0);
+    return contentOf(path("r.html"));
+  };
+  const std::string one = pageWith("--threads=1");
+  EXPECT_GT(one.size(), 100000u);
+  EXPECT_TRUE(pageWith("--threads=3") == one);
+}
+
+TEST_F(ReportPage, IsWrittenOfAFailureToo)
+{
+  writeLabelImage(path("tunnel.nrrd"), cubeWithTunnel());
+  expectFailure(mesh("tunnel.nrrd", { "--topology=reject", "--report", path("r.html") }), "E_TOPOLOGY");
+  const std::string page = contentOf(path("r.html"));
+  EXPECT_NE(page.find("Do not use"), std::string::npos);
+  EXPECT_NE(page.find("E_TOPOLOGY"), std::string::npos);
+  EXPECT_NE(page.find("<svg class=\"slice\""), std::string::npos);
+}
+
+TEST_F(Report, HasOneNameOfEachKind)
+{
+  writeSample();
+  expectErrorCode(mesh("prostate.nrrd", { "--report", path("s.json") }), "E_USAGE");
+  expectErrorCode(mesh("prostate.nrrd", { "--report", path("a.html"), "--report", path("b.htm") }), "E_USAGE");
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(Report, ThatIsAPageIsRefusedByAProgramWithoutPages)
+{
+  if (pagesAreBuilt())
+  {
+    GTEST_SKIP() << "MoserHex_BUILD_REPORTS is ON";
+  }
+  writeSample();
+  expectErrorCode(mesh("prostate.nrrd", { "--report", path("r.html") }), "E_USAGE");
+  EXPECT_EQ(fileCount(), 1u);
 }
 
 TEST_F(Report, CountsTheMemoryOfTheRunAndNotOfTheProgramThatStartedIt)

@@ -2,6 +2,7 @@
 #include "MeshFile.h"
 #include "ModuleProgram.h"
 #include "MoserHexMeshXml.h"
+#include "PageName.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexSurfaceWriter.h"
 
@@ -30,7 +31,8 @@ optionsOf(const ModuleArguments & arguments)
     options.input.segment = arguments.text("segment");
   }
   options.output = arguments.text("outputMesh");
-  options.reportFile = arguments.text("report");
+  const std::string report = arguments.text("report");
+  (app::isPageName(report) ? options.pageFile : options.reportFile) = report;
   options.shells = static_cast<int>(arguments.integer("shells"));
   options.padding = static_cast<int>(arguments.integer("padding"));
   options.topology = arguments.text("topology");

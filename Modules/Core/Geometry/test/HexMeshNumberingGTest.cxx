@@ -190,3 +190,12 @@ TEST(PaddedLattice, WrongNumbersOfNodesAreRefused)
   mesh.paddingLayers = -1;
   EXPECT_THROW(requireValid(mesh), InvalidInput);
 }
+
+TEST(ShellOfCells, CountsFromTheMiddleCellOutwardsAndOnThroughThePadding)
+{
+  const std::vector<int> shells = shellOfCells(paddedCube(4, 1));
+  ASSERT_EQ(shells.size(), 27u + 54u);
+  EXPECT_EQ(shells[13], 1);
+  EXPECT_EQ(std::count(shells.begin(), shells.begin() + 27, 2), 26);
+  EXPECT_EQ(std::count(shells.begin() + 27, shells.end(), 3), 54);
+}

@@ -25,6 +25,7 @@ stageJson(const StageRecord & stage)
     json["concave_percent"] = stage.quality->concavePercent;
     json["sj_min"] = stage.quality->scaledJacobianMinimum;
     json["sj_median"] = stage.quality->scaledJacobianMedian;
+    json["sj_mean"] = stage.quality->scaledJacobianMean;
   }
   if (!stage.note.empty())
   {
@@ -148,6 +149,10 @@ meshJson(const RunReport & report)
     json["nodes"] = report.mesh.nodes;
     json["cells"] = report.mesh.cells;
     json["volume_mm3"] = report.mesh.volume;
+    if (!report.mesh.outline.empty())
+    {
+      json["outline"] = report.mesh.outline;
+    }
   }
   return json;
 }

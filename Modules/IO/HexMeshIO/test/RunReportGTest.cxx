@@ -38,7 +38,7 @@ someReport()
   report.conditioning->changes = { { TopologyChangeKind::HandleCut, 0, 1, 3, Vector3(1.0, 2.0, 3.0) } };
   report.stages = { { "conditioning", 0.5, {} },
                     { "moser", 0.25, StageQuality{ 1e-3, 0.1, -0.05, 0.7 }, "31 steps, certified" } };
-  report.mesh = { "mesh.vtu", 8000, 6859, 51000.2 };
+  report.mesh = { "mesh.vtu", 8000, 6859, 51000.2, "0,0 1,0 1,1" };
   report.surface = RunReport::Surface{ 0.1, 0.4 };
   report.warnings = { "the label touches the first slice" };
   report.versions = libraryVersions();
@@ -71,7 +71,7 @@ TEST(RunReport, HasTheDocumentedKeys)
   {
     EXPECT_TRUE(json["input"].contains(key)) << key;
   }
-  for (const char * key : { "name", "seconds", "volume_variance", "concave_percent", "sj_min", "sj_median" })
+  for (const char * key : { "name", "seconds", "volume_variance", "concave_percent", "sj_min", "sj_median", "sj_mean" })
   {
     EXPECT_TRUE(json["stages"][1].contains(key)) << key;
   }
@@ -79,6 +79,7 @@ TEST(RunReport, HasTheDocumentedKeys)
   EXPECT_FALSE(json["stages"][0].contains("note"));
   EXPECT_EQ(json["stages"][1]["note"], "31 steps, certified");
   EXPECT_EQ(json["mesh"]["nodes"], 8000);
+  EXPECT_EQ(json["mesh"]["outline"], "0,0 1,0 1,1");
   EXPECT_EQ(json["surface"]["max_mm"], 0.4);
   EXPECT_EQ(json["warnings"].size(), 1u);
   for (const char * key : { "moserhex", "git", "itk", "vtk", "eigen" })

@@ -20,6 +20,7 @@ struct StageQuality
   double concavePercent{ 0.0 };        ///< cells with a corner Jacobian <= 0 [%]
   double scaledJacobianMinimum{ 0.0 }; ///< [1]
   double scaledJacobianMedian{ 0.0 };  ///< [1]
+  double scaledJacobianMean{ 0.0 };    ///< [1]
 };
 
 /** One stage of a run. */
@@ -136,6 +137,7 @@ struct RunReport
     std::size_t nodes{ 0 };
     std::size_t cells{ 0 };
     double      volume{ 0.0 }; ///< sum of the cell volumes [mm^3]
+    std::string outline{};     ///< seen from the front: "x,z x,z ...", a closed polygon [mm, LPS]; empty: not made
   };
   struct Surface
   {

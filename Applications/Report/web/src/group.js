@@ -1,0 +1,3 @@
+import { startGroup } from "./table.js";
+
+startGroup();
