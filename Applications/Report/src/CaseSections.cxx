@@ -158,8 +158,8 @@ keyFigures(const RunReport & report)
     return "";
   }
   std::string cards = card("Volume of the mesh",
-                           fixedNumber(report.mesh.volume / 1000.0, 3) + " mL",
-                           "label: " + fixedNumber(report.input.volume / 1000.0, 3) + " mL") +
+                           fixedNumber(report.mesh.volume / 1000.0, 2) + " mL",
+                           "label: " + fixedNumber(report.input.volume / 1000.0, 2) + " mL") +
                       card("Cells", std::to_string(report.mesh.cells), std::to_string(report.mesh.nodes) + " nodes");
   if (report.exact)
   {

