@@ -156,16 +156,17 @@ TEST_F(BatchFaults, AFullDiskStopsTheRunAndAnotherOneGoesOn)
 TEST_F(BatchFaults, ASignalEndsTheRunSoonAndAnotherOneGoesOn)
 {
   writeSolids(6);
-  writeFaultyProgram({ { "case-003", "exec sleep 60" } });
+  const fs::path started = path("started");
+  writeFaultyProgram({ { "case-003", "touch " + started.string() + "; exec sleep 60" } });
   for (const int signalNumber : { SIGTERM, SIGINT })
   {
     const pid_t process =
       startProgram(batchArguments({ "--jobs", "1", "--program", path("faulty.sh") }), m_Root / "streams");
-    for (int wait = 0; wait < 600 && doneEntries().size() < 2; ++wait)
+    for (int wait = 0; wait < 600 && !fs::exists(started); ++wait)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    fs::remove(started);
     const Stopwatch stopwatch;
     ::kill(process, signalNumber);
     const Outcome outcome = waitForProgram(process, m_Root / "streams");

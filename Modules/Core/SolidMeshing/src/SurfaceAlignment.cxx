@@ -129,17 +129,21 @@ public:
   }
 };
 
+/** Those that keep volumes: without that, robust points may do best all on one side of the surface. */
 class AffineSteps
 {
 public:
-  static constexpr int size = 12; ///< rows of dA, translation
+  static constexpr int size = 12; ///< rows of dA without its trace, translation
 
   using Step = Eigen::Matrix<double, size, 1>;
 
   static Step
   derivative(const Vector3 & arm, const Vector3 & gradient)
   {
-    return (Step() << gradient[0] * arm, gradient[1] * arm, gradient[2] * arm, gradient).finished();
+    Matrix3 change = gradient * arm.transpose();
+    change.diagonal().array() -= change.trace() / 3.0;
+    return (Step() << change.row(0).transpose(), change.row(1).transpose(), change.row(2).transpose(), gradient)
+      .finished();
   }
 
   static Matrix3
@@ -150,7 +154,8 @@ public:
     {
       factor.row(row) += step.segment<3>(3 * row).transpose();
     }
-    return factor;
+    const double volume = factor.determinant();
+    return volume > 0.0 ? Matrix3(factor / std::cbrt(volume)) : factor; // a step that turns over is not taken
   }
 };
 

@@ -44,7 +44,7 @@ struct EqualVolumeShape
  *
  * First by projectOntoEqualMeasure alone, which moves the nodes least: boundary nodes stay on the surface to first
  * order. Where that is not exact, by equaliseVolumes with the mesh's own boundary
- * as the organ's surface, held to the mesh given (EqualisationOptions::reference) ever less; in the end without. A mesh
+ * as the organ's surface, held to the mesh given (LatticeTies::reference) ever less; in the end without. A mesh
  * with padding is not held.
  *
  * \param shape  n >= 3 nodes a side; with padding all cells count

@@ -11,7 +11,7 @@ namespace moserhex
 enum class SurfaceAlignmentKind
 {
   Rigid, ///< moved and turned
-  Affine ///< also stretched and sheared
+  Affine ///< also stretched and sheared, without a change of volume
 };
 
 struct SurfaceAlignmentOptions
@@ -35,12 +35,13 @@ struct SurfaceAlignmentResult
  *   min over A, t of sum of s^2 log(1 + d(A p + t)^2 / s^2),     d = phi in phi's grid, beyond it phi at its border +
  * the way there
  *
- * A a rotation (Rigid) or any matrix (Affine), by Levenberg-Marquardt steps about the points' middle on reweighted
- * squares. With the scale s = 1.5 times the median of |d|, at least 0.05 mm, a part of one solid that the other lacks
- * has little influence (Cauchy's weights; Holland and Welsch, Comm. Statist. A6 (1977) 813). Starts: the points as they
- * are, their middle on the solid's, and the rigid motions of least squares from these; the best end counts. A turn that
- * the shapes do not determine, of balls for example, stays what it is at the start; so do the three numbers that maps
- * of ellipsoids onto each other leave open to an affine map.
+ * A a rotation (Rigid) or any matrix of determinant 1 (Affine: give points of a solid of the same volume; free to
+ * shrink, robust points may do best on one side of the surface), by Levenberg-Marquardt steps about the points' middle
+ * on reweighted squares. With the scale s = 1.5 times the median of |d|, at least 0.05 mm, a part of one solid that the
+ * other lacks has little influence (Cauchy's weights; Holland and Welsch, Comm. Statist. A6 (1977) 813). Starts: the
+ * points as they are, their middle on the solid's, and the rigid motions of least squares from these; the best end
+ * counts. A turn that the shapes do not determine, of balls for example, stays what it is at the start; so do the three
+ * numbers that maps of ellipsoids onto each other leave open to an affine map.
  *
  * \param points  on a surface, at least three
  * \param phi     negative inside the solid
