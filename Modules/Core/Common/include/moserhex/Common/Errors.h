@@ -13,6 +13,7 @@ namespace moserhex
 class Error : public std::runtime_error
 {
 public:
+  /** \param message  for people: what() returns it */
   Error(ErrorCode code, const std::string & message) : std::runtime_error(message), m_Code(code)
   {}
 
@@ -32,9 +33,11 @@ private:
 class InvalidInput : public Error
 {
 public:
+  /** Of the code ErrorCode::Precondition. */
   explicit InvalidInput(const std::string & message) : Error(ErrorCode::Precondition, message)
   {}
 
+  /** Of a more special code, as ErrorCode::Topology. */
   InvalidInput(ErrorCode code, const std::string & message) : Error(code, message)
   {}
 };
@@ -43,15 +46,17 @@ public:
 class NotConverged : public Error
 {
 public:
+  /** Of the code ErrorCode::NotConverged. */
   NotConverged(const std::string & message, StepReport stepReport)
     : NotConverged(ErrorCode::NotConverged, message, std::move(stepReport))
   {}
 
+  /** Of a more special code, as ErrorCode::NotExact. */
   NotConverged(ErrorCode code, const std::string & message, StepReport stepReport)
     : Error(code, message), report(std::move(stepReport))
   {}
 
-  StepReport report;
+  StepReport report; ///< the steps made until then
 };
 
 /** The caller's progress callback asked for a stop. Not a failure: nothing was produced. */

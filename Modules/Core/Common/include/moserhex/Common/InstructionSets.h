@@ -22,4 +22,5 @@
 #define MOSERHEX_KERNEL
 #endif
 
+/** Inlined whatever the compiler thinks of it, so that a kernel's helpers take its instruction set. */
 #define MOSERHEX_INLINE inline __attribute__((always_inline))

@@ -11,15 +11,18 @@ namespace moserhex
 
 /** Eight numbers worked on together: the same quantity of eight neighbours. */
 constexpr std::size_t laneCount = 8;
+/** Elementwise arithmetic with + - * / and comparisons, which give a mask. */
 using Lanes = double __attribute__((vector_size(8 * laneCount)));
 using LaneMask = long long __attribute__((vector_size(8 * laneCount))); ///< all bits set: yes
 
+/** The same value in every lane. */
 MOSERHEX_INLINE Lanes
 allLanes(double value)
 {
   return Lanes{} + value;
 }
 
+/** From laneCount neighbouring numbers, at any alignment. */
 MOSERHEX_INLINE Lanes
 loadLanes(const double * from)
 {
@@ -28,12 +31,14 @@ loadLanes(const double * from)
   return lanes;
 }
 
+/** To laneCount neighbouring numbers, at any alignment. */
 MOSERHEX_INLINE void
 storeLanes(double * to, Lanes lanes)
 {
   std::memcpy(to, &lanes, sizeof lanes);
 }
 
+/** Adds the lanes to laneCount neighbouring numbers. */
 MOSERHEX_INLINE void
 addLanes(double * to, Lanes lanes)
 {
@@ -47,6 +52,7 @@ select(LaneMask yes, Lanes a, Lanes b)
   return reinterpret_cast<Lanes>((reinterpret_cast<LaneMask>(a) & yes) | (reinterpret_cast<LaneMask>(b) & ~yes));
 }
 
+/** Lane by lane, correctly rounded. */
 MOSERHEX_INLINE Lanes
 squareRoot(Lanes x)
 {

@@ -10,9 +10,11 @@ namespace moserhex
 class Random
 {
 public:
+  /** \param seed  any; the same seed gives the same numbers */
   explicit Random(std::uint64_t seed) : m_State(seed)
   {}
 
+  /** Uniform over all 64-bit numbers. */
   [[nodiscard]] std::uint64_t
   next()
   {

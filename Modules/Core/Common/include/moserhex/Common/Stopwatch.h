@@ -9,6 +9,7 @@ namespace moserhex
 class Stopwatch
 {
 public:
+  /** Since construction [s]. */
   [[nodiscard]] double
   seconds() const
   {

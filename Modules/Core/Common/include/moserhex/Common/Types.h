@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+/** The Core, which knows neither ITK nor VTK, and the reading and writing of files (module HexMeshIO). */
 namespace moserhex
 {
 
@@ -16,7 +17,9 @@ static_assert(EIGEN_MAX_ALIGN_BYTES == eigenMaxAlignBytes && EIGEN_MAX_STATIC_AL
               "both with the same -m options, or define EIGEN_MAX_ALIGN_BYTES as eigenMaxAlignBytes in "
               "moserhex/Common/EigenAlignment.h says.");
 
+/** Three numbers; of a point or direction in space: towards the patient's Left, Posterior, Superior (LPS). */
 using Vector3 = Eigen::Vector3d;
+/** 3 x 3, column major: a rotation, a Jacobian. */
 using Matrix3 = Eigen::Matrix3d;
 
 /** Points of a mesh, one entry per vertex or node, in LPS millimetres unless a function says otherwise. */

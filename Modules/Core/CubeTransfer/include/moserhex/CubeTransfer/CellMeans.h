@@ -11,6 +11,7 @@ namespace moserhex
 /** A function of space, in any unit. \param p  LPS [mm] */
 using SpaceFunction = std::function<double(const Vector3 & p)>;
 
+/** Options of cellMeans. */
 struct CellMeanOptions
 {
   int          pointsPerAxis{ 4 }; ///< Gauss points along each axis of a cell, 2 to 48 [1]

@@ -15,7 +15,7 @@ class CellBoxTree;
 /** A place in the cube: a cell, and where in it. */
 struct CubePlace
 {
-  std::size_t cell{ 0 };
+  std::size_t cell{ 0 };                ///< its number in the lattice
   Vector3     local{ Vector3::Zero() }; ///< (xi, eta, zeta) in [0,1]^3 [1]
 };
 

@@ -18,6 +18,7 @@ struct CubePoint
 /** One or several numbers at every place of the cube. \param values  to set, as many as there are components */
 using CubeFunction = std::function<void(const CubePoint & point, double * values)>;
 
+/** The point of a place, its position as CubeMap::position gives it. \param place  in a cell of the lattice */
 [[nodiscard]] CubePoint
 cubePoint(const HexMesh & mesh, const CubePlace & place);
 

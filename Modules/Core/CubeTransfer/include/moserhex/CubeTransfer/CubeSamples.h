@@ -8,6 +8,7 @@
 namespace moserhex
 {
 
+/** Options of cubeMeans and cubeVolumes. */
 struct CubeMeanOptions
 {
   int          samplesPerAxis{ 0 }; ///< N, 1 to 1000; 0: n - 1, the mesh's own cells

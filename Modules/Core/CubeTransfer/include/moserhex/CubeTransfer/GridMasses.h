@@ -6,6 +6,7 @@
 namespace moserhex
 {
 
+/** Options of gridMasses. */
 struct GridMassOptions
 {
   double       pointsPerVoxel{ 4.0 }; ///< sample points along a voxel's shortest side, 1 to 16 [1]
@@ -13,6 +14,7 @@ struct GridMassOptions
   unsigned int threads{ 0 };          ///< 0: all of the machine's
 };
 
+/** What gridMasses made. */
 struct GridMasses
 {
   FieldVolume         image;        ///< densities: mass over the volume of the whole voxel

@@ -6,15 +6,17 @@
 namespace moserhex
 {
 
+/** Options of gridSamples. */
 struct GridSamplesOptions
 {
   double       background{ 0.0 }; ///< of voxels whose centre is not in the mesh
   unsigned int threads{ 0 };      ///< 0: all of the machine's
 };
 
+/** What gridSamples made. */
 struct GridSamples
 {
-  FieldVolume image;
+  FieldVolume image;       ///< the values, on the grid asked for
   std::size_t inside{ 0 }; ///< voxels whose centre is in the mesh
 };
 

@@ -12,9 +12,10 @@ enum class ImageInterpolation
   Linear   ///< trilinear between the eight centres around; constant in the half voxel beyond the outermost
 };
 
+/** Options of ImageFunction. */
 struct ImageFunctionOptions
 {
-  ImageInterpolation interpolation{ ImageInterpolation::Linear };
+  ImageInterpolation interpolation{ ImageInterpolation::Linear }; ///< between voxel centres
   double             outside{ 0.0 }; ///< value beyond half a voxel from the outermost centres
 };
 

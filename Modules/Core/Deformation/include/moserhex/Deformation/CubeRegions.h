@@ -19,8 +19,8 @@ struct CubeBox
 /** A part of the cube, the same place in every subject and at every time: a box, or one without another inside it. */
 struct CubeRegion
 {
-  std::string            name;
-  CubeBox                box;
+  std::string            name;    ///< for people and tables, as "shell-3"
+  CubeBox                box;     ///< the region, but for `without`
   std::optional<CubeBox> without; ///< within box
 };
 

@@ -18,20 +18,25 @@ namespace moserhex
 class CubeLatticeOperators
 {
 public:
-  using SparseMatrix = Eigen::SparseMatrix<double>;
+  using SparseMatrix = Eigen::SparseMatrix<double>; ///< as all operators are given
 
   /** \throws InvalidInput  nodesPerSide < 2, or spacing not positive and finite */
   explicit CubeLatticeOperators(int nodesPerSide, double spacing = 1.0);
 
+  /** n^3. */
   [[nodiscard]] std::size_t
   nodeCount() const;
+  /** 3 n^2 (n-1). */
   [[nodiscard]] std::size_t
   edgeCount() const;
+  /** 3 n (n-1)^2. */
   [[nodiscard]] std::size_t
   faceCount() const;
+  /** (n-1)^3. */
   [[nodiscard]] std::size_t
   cellCount() const;
 
+  /** i + n (j + n k). */
   [[nodiscard]] std::size_t
   nodeNumber(int i, int j, int k) const;
   /** Edge along `axis` that starts at node (i,j,k). */
@@ -40,6 +45,7 @@ public:
   /** Face with normal `axis` whose smallest node is (i,j,k). */
   [[nodiscard]] std::size_t
   faceNumber(int axis, int i, int j, int k) const;
+  /** Cell whose smallest node is (i,j,k): i + (n-1) (j + (n-1) k). */
   [[nodiscard]] std::size_t
   cellNumber(int i, int j, int k) const;
 

@@ -11,6 +11,7 @@ struct AffineTransform
   Matrix3 matrix{ Matrix3::Identity() };  ///< A, det A > 0 [1]
   Vector3 translation{ Vector3::Zero() }; ///< t [mm]
 
+  /** A x + t [mm]. */
   [[nodiscard]] Vector3
   operator()(const Vector3 & x) const
   {

@@ -34,7 +34,9 @@ public:
   /** \throws InvalidInput when the surface has no triangle. */
   explicit ClosestPointSearch(const TriangleMesh & surface);
   ~ClosestPointSearch();
+  /** What was moved from may only be assigned to or destroyed. */
   ClosestPointSearch(ClosestPointSearch &&) noexcept;
+  /** What was moved from may only be assigned to or destroyed. */
   ClosestPointSearch &
   operator=(ClosestPointSearch &&) noexcept;
 
@@ -51,9 +53,9 @@ private:
 /** Smallest, mean and largest of a set of distances [mm]. */
 struct DistanceSummary
 {
-  double smallest{ 0.0 };
-  double mean{ 0.0 };
-  double largest{ 0.0 };
+  double smallest{ 0.0 }; ///< [mm]
+  double mean{ 0.0 };     ///< [mm]
+  double largest{ 0.0 };  ///< [mm]
 };
 
 /** Distances of `points` to the surface behind `search`; zeros when there is no point. */

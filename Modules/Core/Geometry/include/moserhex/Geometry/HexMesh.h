@@ -26,6 +26,7 @@ struct HexMesh
   Positions nodes;              ///< n^3 + L B [mm]
   int       paddingLayers{ 0 }; ///< L >= 0
 
+  /** i + n (j + n k), of a node of the lattice. */
   [[nodiscard]] std::size_t
   nodeNumber(int i, int j, int k) const
   {
@@ -95,6 +96,7 @@ latticePart(const HexMesh & mesh);
 /** Eight corners of one hexahedron in VTK_HEXAHEDRON order. */
 using HexCorners = std::array<Vector3, 8>;
 
+/** Positions of the nodes of a cell [mm]. */
 [[nodiscard]] HexCorners
 cellCorners(const HexMesh & mesh, std::size_t cell);
 

@@ -8,6 +8,7 @@
 namespace moserhex
 {
 
+/** Where a node stands in the mesh. */
 struct NodeIndex
 {
   std::array<int, 3> lattice; ///< i, j, k; of a node of the padding: of the boundary node that it stands over

@@ -20,6 +20,7 @@ struct SimilarityTransform
   Matrix3 rotation{ Matrix3::Identity() }; ///< R, det R = +1 [1]
   Vector3 translation{ Vector3::Zero() };  ///< t [mm]
 
+  /** s R x + t [mm]. */
   [[nodiscard]] Vector3
   operator()(const Vector3 & x) const
   {

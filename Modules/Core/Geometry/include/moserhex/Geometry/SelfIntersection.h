@@ -9,7 +9,7 @@
 namespace moserhex
 {
 
-using TriangleCorners = std::array<Vector3, 3>;
+using TriangleCorners = std::array<Vector3, 3>; ///< corners of a triangle, in any unit of length
 
 /** Whether two triangles have a point in common. Exactly coplanar pairs are decided in their plane. No tolerance: a
  * pair that touches within round-off may be called either way. */

@@ -12,6 +12,7 @@ namespace moserhex
 /** Maps a point near a surface to a point on it. Must be safe to call from several threads. */
 using PointProjection = std::function<Vector3(const Vector3 &)>;
 
+/** Options of remeshSurface. */
 struct SurfaceRemeshingOptions
 {
   double targetEdgeLength{ 0.0 }; ///< L; needed when sizingRounds > 0 [mm]
@@ -22,12 +23,13 @@ struct SurfaceRemeshingOptions
   double relaxation{ 0.5 };       ///< step of the smoothing rounds towards the centroid of the neighbours, in (0,1] [1]
 };
 
+/** What remeshSurface made. */
 struct SurfaceRemeshingResult
 {
-  TriangleMesh mesh;
-  std::size_t  splits{ 0 };
-  std::size_t  collapses{ 0 };
-  std::size_t  flips{ 0 };
+  TriangleMesh mesh;           ///< closed, outward, of the genus of the input [mm]
+  std::size_t  splits{ 0 };    ///< sides halved, over all rounds
+  std::size_t  collapses{ 0 }; ///< sides collapsed, over all rounds
+  std::size_t  flips{ 0 };     ///< sides flipped, over all rounds
   StepReport   report; ///< converged: no side is left that wants a flip; residual: number of sides that want one
 };
 

@@ -11,7 +11,7 @@ namespace moserhex
 /** A surface with one vertex per place, and what went on the way. */
 struct WeldedSurface
 {
-  TriangleMesh mesh;
+  TriangleMesh mesh;                    ///< one vertex per place [mm]
   std::size_t  collapsedTriangles{ 0 }; ///< had two corners in one place
   std::size_t  duplicateTriangles{ 0 }; ///< the same three vertices, in the same sense, as one before
 };
@@ -31,13 +31,14 @@ struct SurfaceEdgeCounts
   std::size_t boundaryLoops{ 0 }; ///< connected sets of these
   std::size_t overusedEdges{ 0 }; ///< of more than two triangles
 };
+/** Counts edges by the number of their triangles, whatever the triangles' sense. */
 [[nodiscard]] SurfaceEdgeCounts
 countSurfaceEdges(const TriangleMesh & mesh);
 
 /** A surface whose triangles agree, part by part. */
 struct OrientedSurface
 {
-  TriangleMesh     mesh;
+  TriangleMesh     mesh;                 ///< the same vertices and triangles, some of them turned [mm]
   std::vector<int> part;                 ///< nF: number of the connected part, in order of the first triangle
   int              parts{ 0 };           ///< connected across edges
   std::size_t      turnedTriangles{ 0 }; ///< the smaller number in every part

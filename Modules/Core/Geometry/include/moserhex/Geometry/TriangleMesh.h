@@ -8,6 +8,7 @@
 namespace moserhex
 {
 
+/** Vertex numbers, counter-clockwise seen from outside. */
 using Triangle = std::array<VertexIndex, 3>;
 
 /** A triangulated surface. Closed surfaces are oriented outwards: counter-clockwise seen from outside. */
@@ -25,6 +26,7 @@ triangleArea(const Vector3 & a, const Vector3 & b, const Vector3 & c);
 [[nodiscard]] std::vector<double>
 triangleAreas(const TriangleMesh & mesh);
 
+/** Sum of the areas of the triangles [mm^2]. */
 [[nodiscard]] double
 surfaceArea(const TriangleMesh & mesh);
 
@@ -43,9 +45,10 @@ vertexNormals(const TriangleMesh & mesh);
 /** Axis-aligned bounding box; both corners zero for an empty set. */
 struct BoundingBox
 {
-  Vector3 lower{ Vector3::Zero() };
-  Vector3 upper{ Vector3::Zero() };
+  Vector3 lower{ Vector3::Zero() }; ///< smallest coordinate along each axis [mm]
+  Vector3 upper{ Vector3::Zero() }; ///< largest coordinate along each axis [mm]
 };
+/** The smallest box that holds all points [mm]. */
 [[nodiscard]] BoundingBox
 boundingBox(const Positions & points);
 

@@ -27,15 +27,16 @@ triangleTopology(const TriangleMesh & mesh);
 /** Numbers that decide whether a surface is a sphere. */
 struct SurfaceTopologySummary
 {
-  std::size_t vertices{ 0 };
-  std::size_t edges{ 0 };
-  std::size_t triangles{ 0 };
-  std::size_t components{ 0 };
+  std::size_t vertices{ 0 };            ///< those that a triangle uses
+  std::size_t edges{ 0 };               ///< different pairs of vertices
+  std::size_t triangles{ 0 };           ///< all of the mesh
+  std::size_t components{ 0 };          ///< connected parts
   std::size_t boundaryEdges{ 0 };       ///< edges with one triangle
   std::size_t nonManifoldEdges{ 0 };    ///< edges with more than two triangles, or two in the same direction
   std::size_t nonManifoldVertices{ 0 }; ///< vertices whose triangles form more than one fan
   long        eulerCharacteristic{ 0 }; ///< V - E + F over vertices that are used
 
+  /** One closed manifold of Euler characteristic 2. */
   [[nodiscard]] bool
   isSphere() const
   {

@@ -16,12 +16,14 @@ struct UnstructuredHexMesh
   Positions                               nodes; ///< [mm]
   std::vector<std::array<std::size_t, 8>> cells; ///< node numbers from 0, VTK_HEXAHEDRON order
 
+  /** Number of cells. */
   [[nodiscard]] std::size_t
   cellCount() const
   {
     return cells.size();
   }
 
+  /** Node numbers of a cell, VTK_HEXAHEDRON order. */
   [[nodiscard]] const std::array<std::size_t, 8> &
   cellNodes(std::size_t cell) const
   {
@@ -42,9 +44,11 @@ unstructured(const HexMesh & mesh);
 [[nodiscard]] std::optional<HexMesh>
 asLattice(const UnstructuredHexMesh & mesh);
 
+/** Positions of the nodes of a cell [mm]. */
 [[nodiscard]] HexCorners
 cellCorners(const UnstructuredHexMesh & mesh, std::size_t cell);
 
+/** Volume of every cell [mm^3]. */
 [[nodiscard]] std::vector<double>
 cellVolumes(const UnstructuredHexMesh & mesh);
 
@@ -58,8 +62,8 @@ boundaryFaces(const UnstructuredHexMesh & mesh);
 /** One of boundaryFaces and the cell that it belongs to. */
 struct BoundaryFace
 {
-  std::size_t   cell;
-  Quadrilateral nodes;
+  std::size_t   cell;  ///< the cell it belongs to
+  Quadrilateral nodes; ///< around the face
 };
 
 /** The same faces of a part of the mesh: those that belong to one of the given cells only.

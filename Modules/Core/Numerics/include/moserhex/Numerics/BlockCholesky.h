@@ -19,9 +19,9 @@ namespace moserhex
 class BlockCholesky
 {
 public:
-  using Block = Eigen::Matrix2d;
-  using BlockVector = std::vector<Block>;
-  using GraphEdge = std::array<std::int32_t, 2>;
+  using Block = Eigen::Matrix2d;                 ///< of the two unknowns of a vertex, or of two vertices
+  using BlockVector = std::vector<Block>;        ///< one block for each vertex, or for each edge
+  using GraphEdge = std::array<std::int32_t, 2>; ///< numbers of its two vertices
 
   /** Order of elimination and pattern of L: once for a graph. O(blocks of L).
    * \throws InvalidInput  no vertex, or an edge with a vertex out of range or with one vertex twice */

@@ -30,16 +30,18 @@ enum class ComponentOrder
 class CubeTransform
 {
 public:
+  /** Which functions a field is a sum of along each axis. */
   enum class Basis
   {
-    Cosine,
-    Sine
+    Cosine, ///< DCT-II: free ends
+    Sine    ///< DST-I: zero beyond both ends
   };
+  /** How the transform is computed; the numbers are the same to round-off. */
   enum class Engine
   {
-    Automatic,
-    Dense,
-    Fast
+    Automatic, ///< the faster one
+    Dense,     ///< matrices
+    Fast       ///< fast Fourier transform
   };
 
   /** \throws InvalidInput  n < 1 */
@@ -104,12 +106,14 @@ public:
   /** \param symbol  the factor of frequency (a,b,c), each 0 ... n-1 */
   SpectralOperator(CubeTransform transform, const std::function<double(int a, int b, int c)> & symbol);
 
+  /** As given to the constructor. */
   [[nodiscard]] const CubeTransform &
   transform() const
   {
     return m_Transform;
   }
 
+  /** n^3 factors, (a,b,c) at a + n (b + n c). */
   [[nodiscard]] const Eigen::VectorXd &
   symbol() const
   {

@@ -9,9 +9,10 @@
 namespace moserhex
 {
 
+/** Options of minimiseByLimitedMemoryBfgs. */
 struct LimitedMemoryBfgsOptions
 {
-  int          maximumSteps{ 100 };
+  int          maximumSteps{ 100 };        ///< at most, >= 0
   int          memory{ 8 };                ///< pairs kept, at least 1
   int          window{ 10 };               ///< the decrease is judged over so many steps
   double       smallestDecrease{ 1e-5 };   ///< done when f falls by less than this part of |f| within a window [1]
@@ -20,12 +21,13 @@ struct LimitedMemoryBfgsOptions
   unsigned int threads{ 1 };               ///< for the method's own sums; the result does not depend on it
 };
 
+/** How the minimisation ended. */
 struct LimitedMemoryBfgsResult
 {
   double     value{ 0.0 };        ///< f at the end
   double     gradientNorm{ 0.0 }; ///< Euclidean
-  int        evaluations{ 0 };
-  StepReport report; ///< residual: decrease of f over the last window, relative [1]
+  int        evaluations{ 0 };    ///< of f and its gradient
+  StepReport report;              ///< residual: decrease of f over the last window, relative [1]
 };
 
 /** f and its gradient at a point; the gradient comes in with the point's size, contents undefined. May return a number

@@ -16,11 +16,13 @@ namespace moserhex
 class SparseCholesky
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>;
+  using Matrix = Eigen::SparseMatrix<double>; ///< A; its lower triangle is read
 
   SparseCholesky();
   ~SparseCholesky();
+  /** What was moved from may only be assigned to or destroyed. */
   SparseCholesky(SparseCholesky &&) noexcept;
+  /** What was moved from may only be assigned to or destroyed. */
   SparseCholesky &
   operator=(SparseCholesky &&) noexcept;
 
