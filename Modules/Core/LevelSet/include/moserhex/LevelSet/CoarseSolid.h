@@ -7,6 +7,7 @@
 namespace moserhex
 {
 
+/** Options of coarseSolid. */
 struct CoarseSolidOptions
 {
   double nodesPerSide{ 24.0 };         ///< spacings in V^(1/3) [1]
@@ -15,6 +16,7 @@ struct CoarseSolidOptions
   double acceptedVolumeChange{ 0.02 }; ///< of the solid on the coarse grid [1]
 };
 
+/** What coarseSolid made. */
 struct CoarseSolid
 {
   LevelSet levelSet;         ///< phi on the coarse grid [mm]

@@ -7,6 +7,7 @@
 namespace moserhex
 {
 
+/** A function and its first derivatives at a point. */
 struct ValueAndGradient
 {
   double  value{ 0.0 };                ///< unit of the function
@@ -40,6 +41,7 @@ catmullRomDerivatives(double s)
 class CubicInterpolator
 {
 public:
+  /** \param levelSet  at least 4 nodes along each axis, finite values */
   explicit CubicInterpolator(const LevelSet & levelSet);
   explicit CubicInterpolator(LevelSet &&) = delete;
 
@@ -47,9 +49,11 @@ public:
   [[nodiscard]] ValueAndGradient
   at(const Vector3 & p) const;
 
+  /** at(p).value, cheaper. \param p  LPS [mm] */
   [[nodiscard]] double
   value(const Vector3 & p) const;
 
+  /** Of the level set. */
   [[nodiscard]] const RegularGrid &
   grid() const
   {

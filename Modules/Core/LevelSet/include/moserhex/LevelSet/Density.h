@@ -26,12 +26,15 @@ public:
   }
 
 protected:
+  ///@{
+  /** For derived classes: a copy of the base alone would be no density. */
   Density(const Density &) = default;
   Density(Density &&) = default;
   Density &
   operator=(const Density &) = default;
   Density &
   operator=(Density &&) = default;
+  ///@}
 };
 
 } // namespace moserhex

@@ -8,6 +8,7 @@
 namespace moserhex
 {
 
+/** Options of eikonalArrival. */
 struct EikonalArrivalOptions
 {
   double sourceRadius{ 2.0 };        ///< nodes this near to the seed get the time of a constant speed [nodes]
@@ -15,6 +16,7 @@ struct EikonalArrivalOptions
   int    maximumSweeps{ 400 };       ///< [1]
 };
 
+/** What eikonalArrival found. */
 struct EikonalArrivalResult
 {
   LevelSet   levelSet; ///< T: 0 at the seed, +infinity outside the organ and where the front cannot go

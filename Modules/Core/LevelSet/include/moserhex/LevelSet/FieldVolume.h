@@ -11,15 +11,17 @@ namespace moserhex
 /** An image of one or several numbers per voxel: a scalar, a vector, a symmetric tensor (xx, xy, xz, yy, yz, zz). */
 struct FieldVolume : VoxelGrid
 {
-  int                 components{ 1 };
+  int                 components{ 1 }; ///< numbers per voxel, >= 1
   std::vector<double> values; ///< gridVoxels() times components, in the order of the voxel numbers, components fastest
 
+  /** First of the numbers of a voxel. */
   [[nodiscard]] const double *
   at(std::size_t voxel) const
   {
     return values.data() + voxel * static_cast<std::size_t>(components);
   }
 
+  /** First of the numbers of a voxel, to be changed. */
   [[nodiscard]] double *
   at(std::size_t voxel)
   {

@@ -10,6 +10,7 @@
 namespace moserhex
 {
 
+/** Options of homotopicGrowth. */
 struct HomotopicGrowthOptions
 {
   /** Nodes that may be added, one entry per node; empty: all. */
@@ -22,6 +23,7 @@ struct HomotopicGrowthOptions
   double valueOfOthers{ std::numeric_limits<double>::infinity() };
 };
 
+/** What homotopicGrowth made. */
 struct HomotopicGrowthResult
 {
   LevelSet    levelSet;       ///< t

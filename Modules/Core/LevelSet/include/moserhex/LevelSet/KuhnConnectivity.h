@@ -39,6 +39,7 @@ isSimpleLink(unsigned int linkMask);
 class KuhnConnectivity
 {
 public:
+  /** \param grid  its sizes alone count */
   explicit KuhnConnectivity(const RegularGrid & grid);
 
   /** Differences of node numbers to the 14 neighbours, in the order of kuhnOffsets. */
@@ -48,6 +49,7 @@ public:
     return m_Strides;
   }
 
+  /** Bit a is set where neighbour a, in the order of kuhnOffsets, is inside: for isSimpleLink. */
   [[nodiscard]] unsigned int
   linkMask(const std::vector<std::uint8_t> & inside, std::size_t node) const
   {
@@ -60,6 +62,8 @@ public:
     return mask;
   }
 
+  /** Whether the node is simple, as isSimpleLink says of its link; whether the node itself is inside does not
+   * matter. */
   [[nodiscard]] bool
   isSimple(const std::vector<std::uint8_t> & inside, std::size_t node) const
   {

@@ -19,6 +19,7 @@ enum class TopologyPolicy
   Reject  ///< refused with its numbers
 };
 
+/** Options of conditionLabel. */
 struct ConditioningOptions
 {
   /** Nodes per side of the lattice the solid is meant for; sets the grid spacing when that is 0 [1]. */
@@ -44,7 +45,7 @@ struct ConditioningOptions
   /** Smallest Dice coefficient with the label's voxels: a label that the smoothing cannot hold is refused [1]. */
   double minimumDice{ 0.8 };
 
-  TopologyPolicy topology{ TopologyPolicy::Repair };
+  TopologyPolicy topology{ TopologyPolicy::Repair }; ///< what happens to a label that is not a ball
 
   /** Most that a repair may change: voxels added and removed over voxels of the label [1]. */
   double maximumRepair{ 0.05 };
@@ -99,12 +100,13 @@ isFaithful(Simplification simplification, const ConditioningReport & simpler, co
 [[nodiscard]] std::string
 describeSimplification(const ConditioningReport & simpler, const ConditioningReport & usual);
 
+/** What conditionLabel made. */
 struct ConditionedSolid
 {
   LevelSet           levelSet; ///< phi [mm], < 0 inside
   LabelVolume        label;    ///< the voxels that phi was made from: a ball, cut out with a margin of one voxel
   double             labelVolume{ 0.0 }; ///< V: volume of these voxels [mm^3]
-  ConditioningReport report;
+  ConditioningReport report;             ///< what was changed on the way
 };
 
 /** Half an edge of a cell of the lattice, (V / (n-1)^3)^(1/3) / 2, but not above

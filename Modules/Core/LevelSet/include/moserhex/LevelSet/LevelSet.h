@@ -12,7 +12,7 @@ namespace moserhex
  * function phi of an organ that is phi < 0. Values may be +infinity ("outside, whatever the level"), never NaN. */
 struct LevelSet
 {
-  RegularGrid         grid;
+  RegularGrid         grid;   ///< where the values are
   std::vector<double> values; ///< nodeCount() entries, in the order of the node numbers
 };
 

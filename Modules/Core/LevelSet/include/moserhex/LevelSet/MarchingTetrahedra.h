@@ -60,12 +60,14 @@ public:
   [[nodiscard]] double
   volume(double level, const Cubes & cubes) const;
 
+  /** Of all nodes. */
   [[nodiscard]] double
   smallestValue() const
   {
     return m_SmallestValue;
   }
 
+  /** Of all nodes; those of value +infinity do not count. */
   [[nodiscard]] double
   largestFiniteValue() const
   {
@@ -89,6 +91,7 @@ private:
   std::vector<double> m_Largest;
 };
 
+/** Where levelOfVolume searches, and how well. */
 struct LevelOfVolumeOptions
 {
   double lower{ -std::numeric_limits<double>::infinity() }; ///< search from here; the smallest value when infinite

@@ -17,19 +17,21 @@ namespace moserhex
  * right- or left-handed. */
 struct RegularGrid
 {
-  using Index = std::array<int, 3>;
+  using Index = std::array<int, 3>; ///< node numbers along the three axes, from 0
 
   Index   size{ { 0, 0, 0 } };              ///< nodes along each axis
   double  spacing{ 1.0 };                   ///< distance of neighbouring nodes [mm]
   Vector3 origin{ Vector3::Zero() };        ///< position of node (0,0,0) [mm]
   Matrix3 direction{ Matrix3::Identity() }; ///< orthonormal columns [1]
 
+  /** Product of the sizes. */
   [[nodiscard]] std::size_t
   nodeCount() const
   {
     return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
   }
 
+  /** i + size[0] (j + size[1] k). */
   [[nodiscard]] std::size_t
   nodeNumber(int i, int j, int k) const
   {
@@ -38,6 +40,7 @@ struct RegularGrid
     return static_cast<std::size_t>(i) + nx * (static_cast<std::size_t>(j) + ny * static_cast<std::size_t>(k));
   }
 
+  /** Inverse of nodeNumber(). */
   [[nodiscard]] Index
   indexOf(std::size_t node) const
   {
@@ -62,6 +65,7 @@ struct RegularGrid
     return i < 1 || j < 1 || k < 1 || i >= size[0] - 1 || j >= size[1] - 1 || k >= size[2] - 1;
   }
 
+  /** The same for a node by its number. */
   [[nodiscard]] bool
   isBorder(std::size_t node) const
   {
@@ -69,12 +73,14 @@ struct RegularGrid
     return isBorder(index[0], index[1], index[2]);
   }
 
+  /** Position of node (i,j,k) [mm, LPS]. */
   [[nodiscard]] Vector3
   point(int i, int j, int k) const
   {
     return origin + direction * (spacing * Vector3(i, j, k));
   }
 
+  /** Position of a node by its number [mm, LPS]. */
   [[nodiscard]] Vector3
   point(std::size_t node) const
   {
@@ -89,6 +95,7 @@ struct RegularGrid
     return direction.transpose() * (p - origin) / spacing;
   }
 
+  /** spacing^3 [mm^3]. */
   [[nodiscard]] double
   cellVolume() const
   {

@@ -15,14 +15,16 @@ namespace moserhex
 [[nodiscard]] std::vector<double>
 cubeVolumeFractions(int shells);
 
+/** Options of frontWeight. */
 struct FrontWeightOptions
 {
   double                 depthPower{ 4.0 };      ///< p >= 0; from 2 on the front arrives everywhere together [1]
   double                 smallestSlope{ 0.25 };  ///< lower bound of R |grad rho| [1]
   double                 smallestWeight{ 1e-4 }; ///< lower bound of w [1]
-  TorsionFunctionOptions torsion;
+  TorsionFunctionOptions torsion;                ///< of the function u
 };
 
+/** What frontWeight made. */
 struct FrontWeight
 {
   LevelSet    weight;    ///< w inside, smallestWeight outside [1]
@@ -45,11 +47,13 @@ struct FrontWeight
 [[nodiscard]] FrontWeight
 frontWeight(const LevelSet & phi, const FrontWeightOptions & options = {});
 
+/** Options of shellOrdering. */
 struct ShellOrderingOptions
 {
   double smoothing{ 1.5 }; ///< sigma of the Gaussian on s; level sets of a paraboloid stay as they are [nodes]
 };
 
+/** What shellOrdering made. */
 struct ShellOrdering
 {
   LevelSet    levelSet;       ///< s: 0 at the seed, 1 on the surface, above 1 outside; finite [1]
@@ -76,12 +80,14 @@ shellOrdering(const LevelSet &             phi,
               std::size_t                  seed,
               const ShellOrderingOptions & options = {});
 
+/** Options of separatedSnapshots. */
 struct SnapshotOptions
 {
   double gap{ 0.4 };      ///< g: distance kept between shells where they would touch [nodes]
   double reached{ 0.99 }; ///< the last snapshot is taken when the front has passed this part of its nodes, (0,1] [1]
 };
 
+/** What separatedSnapshots made. */
 struct Snapshots
 {
   LevelSet            arrival;         ///< T', for shellOrdering; +infinity outside and where the front has not come

@@ -14,6 +14,7 @@
 namespace moserhex
 {
 
+/** Options of extractShellSurfaces and summarizeShells. */
 struct ShellSurfaceOptions
 {
   double       trianglesPerQuad{ 4.0 };     ///< triangles of a shell per quadrilateral of its cube shell [1]
@@ -32,11 +33,11 @@ struct ShellSurfaceOptions
  * they are zero for the innermost shell. */
 struct ShellSurface
 {
-  TriangleMesh          mesh;                ///< closed, outward, genus 0 [mm, LPS]
-  double                targetVolume{ 0.0 }; ///< [mm^3]
-  double                volume{ 0.0 };       ///< enclosed by the mesh [mm^3]
-  double                level{ 0.0 };        ///< of the function it was cut from
-  SurfaceQualitySummary quality;
+  TriangleMesh          mesh;                   ///< closed, outward, genus 0 [mm, LPS]
+  double                targetVolume{ 0.0 };    ///< [mm^3]
+  double                volume{ 0.0 };          ///< enclosed by the mesh [mm^3]
+  double                level{ 0.0 };           ///< of the function it was cut from
+  SurfaceQualitySummary quality;                ///< of the mesh's triangles
   DistanceSummary       gap;                    ///< [mm]
   std::size_t           selfIntersections{ 0 }; ///< pairs of triangles; 0 when not checked
   bool                  nested{ true };         ///< it holds the next smaller shell; true when not checked
@@ -82,17 +83,18 @@ extractShellSurfaces(const LevelSet &            ordering,
 /** The worst numbers of a set of shells. */
 struct ShellSurfacesSummary
 {
-  std::size_t              triangles{ 0 };
-  double                   worstVolumeError{ 0.0 }; ///< largest |volume / target - 1| [1]
-  double                   minimumAngle{ 0.0 };     ///< [degree]
-  std::size_t              negativeCotangents{ 0 };
-  std::size_t              selfIntersections{ 0 };
-  std::size_t              notNested{ 0 };     ///< pairs of neighbouring shells
-  double                   smallestGap{ 0.0 }; ///< of all pairs [mm]
-  double                   meanGap{ 0.0 };     ///< mean of the mean gaps of all pairs [mm]
-  double                   largestGap{ 0.0 };  ///< [mm]
-  std::vector<std::string> warnings; ///< what is allowed but worth a line: thin gaps, intersections, negative weights
+  std::size_t triangles{ 0 };          ///< of all shells together
+  double      worstVolumeError{ 0.0 }; ///< largest |volume / target - 1| [1]
+  double      minimumAngle{ 0.0 };     ///< [degree]
+  std::size_t negativeCotangents{ 0 }; ///< of all shells together, see SurfaceQualitySummary
+  std::size_t selfIntersections{ 0 };  ///< pairs of triangles of one shell, of all shells together; 0 when not checked
+  std::size_t notNested{ 0 };          ///< pairs of neighbouring shells
+  double      smallestGap{ 0.0 };      ///< of all pairs [mm]
+  double      meanGap{ 0.0 };          ///< mean of the mean gaps of all pairs [mm]
+  double      largestGap{ 0.0 };       ///< [mm]
+  std::vector<std::string> warnings;   ///< what is allowed but worth a line: thin gaps, intersections, negative weights
 
+  /** Smallest gap over the mean gap; 0 for a single shell [1]. */
   [[nodiscard]] double
   smallestRelativeGap() const
   {
@@ -100,6 +102,7 @@ struct ShellSurfacesSummary
   }
 };
 
+/** \param options  as in extractShellSurfaces: says which gaps are worth a warning */
 [[nodiscard]] ShellSurfacesSummary
 summarizeShells(const std::vector<ShellSurface> & shells, const ShellSurfaceOptions & options = {});
 

@@ -14,6 +14,7 @@ namespace moserhex
  */
 inline constexpr std::size_t voxelNeighbours = 26;
 
+/** Step a leads to neighbour a [voxels]. */
 [[nodiscard]] const std::array<std::array<int, 3>, voxelNeighbours> &
 neighbourSteps();
 
@@ -36,6 +37,7 @@ eulerChangeOfAdding(std::uint32_t insideNeighbours);
 class VoxelNeighbourhood
 {
 public:
+  /** \param grid  of the masks; its sizes alone count */
   explicit VoxelNeighbourhood(const VoxelGrid & grid);
 
   /** Differences of voxel numbers to the neighbours. */
@@ -45,6 +47,7 @@ public:
     return m_Strides;
   }
 
+  /** Bit a is set where neighbour a of the voxel is inside: for isSimpleVoxel and eulerChangeOfAdding. */
   [[nodiscard]] std::uint32_t
   inside(const std::vector<std::uint8_t> & mask, std::size_t voxel) const
   {

@@ -11,6 +11,7 @@
 namespace moserhex
 {
 
+/** Options of repairTopology. */
 struct TopologyRepairOptions
 {
   /** Most that may change: voxels added and removed over voxels of the label [1]. */
@@ -24,13 +25,14 @@ struct TopologyRepairOptions
   std::string labelName{ "label" };
 };
 
+/** What happened to a patch of voxels. */
 enum class TopologyChangeKind
 {
-  ComponentRemoved,
-  ComponentsJoined,
-  CavityFilled,
-  HandleCut,
-  TunnelFilled
+  ComponentRemoved, ///< a component other than the largest went outside
+  ComponentsJoined, ///< a bridge between components came inside
+  CavityFilled,     ///< a closed part of the outside came inside
+  HandleCut,        ///< a cut through one or more handles went outside
+  TunnelFilled      ///< plugs of one or more tunnels came inside
 };
 
 /** What was done, for one and for many: "handle cut", "handles cut". */
@@ -40,12 +42,13 @@ nameOf(TopologyChangeKind kind, std::size_t count = 1);
 /** One connected patch of voxels that changed. */
 struct TopologyChange
 {
-  TopologyChangeKind kind{ TopologyChangeKind::ComponentRemoved };
+  TopologyChangeKind kind{ TopologyChangeKind::ComponentRemoved }; ///< what happened to it
   std::size_t        parts{ 0 };                ///< components removed or joined to another, or cavities filled
   std::size_t        handles{ 0 };              ///< handles cut or tunnels filled
   std::size_t        voxels{ 0 };               ///< added, or removed (component removed, handle cut)
   Vector3            centre{ Vector3::Zero() }; ///< mean of the voxel centres [mm, LPS]
 
+  /** The voxels of the patch came inside; otherwise they went outside. */
   [[nodiscard]] bool
   adds() const
   {
@@ -53,9 +56,10 @@ struct TopologyChange
   }
 };
 
+/** What a repair changed. */
 struct TopologyRepairReport
 {
-  VoxelTopology               before;
+  VoxelTopology               before;           ///< topology of the label as it was
   std::vector<TopologyChange> changes;          ///< in the order they were made; empty for a ball
   std::size_t                 voxelsAdded{ 0 }; ///< inside now, not before; of a voxel changed twice no change is left
   std::size_t                 voxelsRemoved{ 0 }; ///< inside before, not now
@@ -71,10 +75,11 @@ struct TopologyRepairReport
 [[nodiscard]] std::vector<std::string>
 describe(const TopologyRepairReport & report);
 
+/** What repairTopology made. */
 struct TopologyRepairResult
 {
-  LabelVolume          label; ///< a ball, on the grid of the input
-  TopologyRepairReport report;
+  LabelVolume          label;  ///< a ball, on the grid of the input
+  TopologyRepairReport report; ///< what was changed
 };
 
 /** Makes one solid of genus 0 of a label, with the smaller change of volume at every handle and every component.

@@ -6,6 +6,7 @@
 namespace moserhex
 {
 
+/** Options of torsionFunction. */
 struct TorsionFunctionOptions
 {
   double relativeTolerance{ 1e-8 }; ///< of the residual of the linear system, Euclidean norm [1]
@@ -13,6 +14,7 @@ struct TorsionFunctionOptions
   double smallestFraction{ 0.01 };  ///< a node nearer than this to the surface counts as this far [grid edge]
 };
 
+/** What torsionFunction found. */
 struct TorsionFunctionResult
 {
   LevelSet   levelSet; ///< u >= 0; 0 outside the organ [mm^2]

@@ -15,17 +15,19 @@ namespace moserhex
  *   origin + direction * (spacing * (i,j,k))      componentwise product                                 [mm, LPS] */
 struct VoxelGrid
 {
-  std::array<int, 3> size{ { 0, 0, 0 } };
+  std::array<int, 3> size{ { 0, 0, 0 } };              ///< voxels along each axis
   Vector3            spacing{ Vector3::Ones() };       ///< voxel sides, may differ [mm]
   Vector3            origin{ Vector3::Zero() };        ///< centre of voxel (0,0,0) [mm]
   Matrix3            direction{ Matrix3::Identity() }; ///< image axes: orthonormal columns, either handedness
 
+  /** Product of the sizes. */
   [[nodiscard]] std::size_t
   gridVoxels() const
   {
     return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
   }
 
+  /** i + size[0] (j + size[1] k). */
   [[nodiscard]] std::size_t
   voxelNumber(int i, int j, int k) const
   {
@@ -34,12 +36,14 @@ struct VoxelGrid
     return static_cast<std::size_t>(i) + nx * (static_cast<std::size_t>(j) + ny * static_cast<std::size_t>(k));
   }
 
+  /** Product of the voxel sides [mm^3]. */
   [[nodiscard]] double
   voxelVolume() const
   {
     return spacing.prod();
   }
 
+  /** Centre of voxel (i,j,k) [mm, LPS]. */
   [[nodiscard]] Vector3
   point(int i, int j, int k) const
   {

@@ -21,6 +21,7 @@ struct VoxelTopology
   std::size_t cavities{ 0 };            ///< 26-connected parts of the outside that are closed in
   long        eulerCharacteristic{ 0 }; ///< vertices - edges + squares - cubes = components - handles + cavities
 
+  /** Of all components and cavities together: components + cavities - Euler characteristic. */
   [[nodiscard]] long
   handles() const
   {
@@ -34,6 +35,7 @@ struct VoxelTopology
     return 2 * eulerCharacteristic;
   }
 
+  /** One component without cavities and handles. */
   [[nodiscard]] bool
   isBall() const
   {
@@ -45,6 +47,7 @@ struct VoxelTopology
 [[nodiscard]] VoxelTopology
 voxelTopology(const LabelVolume & label);
 
+/** What an operation on a label changed. */
 struct VoxelChange
 {
   std::size_t parts{ 0 };  ///< components or cavities changed

@@ -23,6 +23,7 @@ public:
   /** \throws InvalidInput  shells < 1 or shells > 500 */
   explicit CubeLattice(int shells);
 
+  /** N. */
   [[nodiscard]] int
   shells() const
   {
@@ -36,12 +37,15 @@ public:
     return 2 * m_Shells;
   }
 
+  /** n^3. */
   [[nodiscard]] std::size_t
   nodeCount() const;
 
+  /** (n-1)^3. */
   [[nodiscard]] std::size_t
   cellCount() const;
 
+  /** i + n (j + n k). */
   [[nodiscard]] std::size_t
   nodeNumber(int i, int j, int k) const;
 
