@@ -14,9 +14,10 @@ enum class CubeShellMethod
   conformalMoser ///< the paper's way: the shell's surface triangulated, conformal map, Moser area flow
 };
 
+/** Options of cubeShellMap. */
 struct CubeShellMapOptions
 {
-  CubeShellMethod method{ CubeShellMethod::closedForm };
+  CubeShellMethod method{ CubeShellMethod::closedForm }; ///< for all shells
 
   /** conformalMoser only: each quadrilateral of the shell is cut into this many squares a side before it is
    * triangulated, so that small shells are resolved; 0: as many as make at least 24 squares along a cube edge. */

@@ -10,6 +10,7 @@
 namespace moserhex
 {
 
+/** Options of projectOntoEqualMeasure. */
 struct EqualMeasureOptions
 {
   double       tolerance{ 1e-24 };        ///< done when mean (measure / target - 1)^2 is below [1]
@@ -28,11 +29,12 @@ struct EqualMeasureStep
   double fraction{ 1.0 };  ///< of the Newton step that was taken [1]
 };
 
+/** What projectOntoEqualMeasure made. */
 struct EqualMeasureResult
 {
-  HexMesh                       mesh;
-  std::size_t                   nonPositiveCorners{ 0 }; ///< corners of the mesh's cells with det J <= 0
-  std::vector<EqualMeasureStep> steps;
+  HexMesh     mesh; ///< the last one; that of the smallest deviation where the tolerance was not met [mm]
+  std::size_t nonPositiveCorners{ 0 };  ///< corners of the mesh's cells with det J <= 0
+  std::vector<EqualMeasureStep> steps;  ///< of Newton's method, in order
   StepReport                    report; ///< residual: mean (measure / target - 1)^2 of the mesh returned
 };
 

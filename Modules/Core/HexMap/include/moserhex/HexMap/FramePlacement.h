@@ -8,6 +8,7 @@
 namespace moserhex
 {
 
+/** Options of placeFrame and edgeScore. */
 struct FramePlacementOptions
 {
   /** n of the lattice whose edges are judged: even, 4 to 1000. Hollows and ridges narrower than its cells do not count;
@@ -31,8 +32,8 @@ struct FramePlacementOptions
 /** A conformal map of the sphere: s -> boost of R s (see moebiusBoost). */
 struct FramePlacement
 {
-  Matrix3 rotation{ Matrix3::Identity() };
-  Vector3 boost{ Vector3::Zero() }; ///< |boost| < 1 [1]
+  Matrix3 rotation{ Matrix3::Identity() }; ///< R, det R = +1 [1]
+  Vector3 boost{ Vector3::Zero() };        ///< |boost| < 1 [1]
 };
 
 /** How the 12 edges of the cube lie on the surface. */
@@ -42,10 +43,11 @@ struct EdgeScore
   double smallestScaledJacobian{ 0.0 }; ///< smallest q [1]
 };
 
+/** What placeFrame found. */
 struct FramePlacementResult
 {
-  FramePlacement placement;
-  EdgeScore      before;
+  FramePlacement placement;        ///< turns and boosts the frame given
+  EdgeScore      before;           ///< of the frame given
   EdgeScore      after;            ///< its score is never above that of `before`
   double         angle{ 0.0 };     ///< of the rotation [degree]
   int            evaluations{ 0 }; ///< of the score

@@ -14,6 +14,7 @@ namespace moserhex
 /** Puts a point near shell k (1..N) onto that shell's exact level set [mm]. Must be pure and thread-safe. */
 using ShellProjection = std::function<Vector3(int shell, const Vector3 & point)>;
 
+/** Options of initialMap. */
 struct InitialMapOptions
 {
   CubeShellMapOptions cubeShells; ///< stage F

@@ -20,7 +20,7 @@ struct EdgeSlidingOptions
 /** Guarded Laplacian smoothing: a node moves towards the mean of its neighbours unless its cells get worse by it. */
 struct GuardedSmoothingOptions
 {
-  int    sweeps{ 2 };
+  int    sweeps{ 2 };       ///< over all nodes; 0: off [1]
   double strength{ 0.5 };   ///< fraction of the way to the neighbours' mean, in (0,1] [1]
   double threshold{ 0.15 }; ///< scaled Jacobian of a corner below which it counts as bad, in [0,1) [1]
 };
@@ -28,11 +28,11 @@ struct GuardedSmoothingOptions
 /** The default is one light round, what the flow alternates with. */
 struct LatticeSmoothingOptions
 {
-  EdgeSlidingOptions      edges;
+  EdgeSlidingOptions      edges;                   ///< step 1 of smoothLattice
   int                     boundarySweeps{ 0 };     ///< sweeps of unguarded tangential smoothing of the boundary [1]
   double                  boundaryStrength{ 0.5 }; ///< fraction of the way to the mean made by one sweep, in (0,1] [1]
   double                  interiorTime{ 0.0 };     ///< diffusion time tau [lattice units^2]; 1e6: harmonic; 0: off
-  GuardedSmoothingOptions guarded;
+  GuardedSmoothingOptions guarded;                 ///< step 4 of smoothLattice
 };
 
 /** Smooths the node positions of a structured mesh (stage H). Its steps, in this order, each of them optional:

@@ -26,6 +26,7 @@ struct LatticeImage
   std::vector<double>                                values; ///< of latticeSamples, in their order [unit of the image]
 };
 
+/** Points of latticeSamples in one cell. */
 inline constexpr std::size_t latticeSamplesPerCell = 8;
 
 /** Points of a lattice at which images are compared: in every cell the 2 x 2 x 2 Gauss points (1 +- 1/sqrt 3) / 2, the
@@ -45,10 +46,10 @@ struct LatticeTies
 {
   Positions                    reference;              ///< n^3 [mm]; empty: no such term
   double                       referenceWeight{ 1.0 }; ///< w_r [1]
-  std::vector<LatticeLandmark> landmarks;
+  std::vector<LatticeLandmark> landmarks;              ///< drawn to their positions; empty: no such term
   double                       landmarkWeight{ 50.0 }; ///< w_l [1]
-  std::optional<LatticeImage>  image;
-  double                       imageWeight{ 1.0 }; ///< w_i, for an image in units of its standard deviation [1]
+  std::optional<LatticeImage>  image;                  ///< compared with its values; empty: no such term
+  double                       imageWeight{ 1.0 };     ///< w_i, for an image in units of its standard deviation [1]
 
   /** There is a term. */
   [[nodiscard]] bool

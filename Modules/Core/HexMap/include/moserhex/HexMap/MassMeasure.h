@@ -9,6 +9,7 @@
 namespace moserhex
 {
 
+/** Options of MassMeasure. */
 struct MassMeasureOptions
 {
   int pointsPerAxis{ 4 }; ///< Gauss points along each axis of a cell, 2 to 48; see chooseMassQuadrature [1]
@@ -43,6 +44,7 @@ public:
   [[nodiscard]] double
   estimateError(const HexMesh & mesh, unsigned int threads = 0) const;
 
+  /** As given to the constructor. */
   [[nodiscard]] const MassMeasureOptions &
   options() const
   {
@@ -70,7 +72,7 @@ private:
 /** A rule and what it reaches on one mesh. */
 struct MassQuadrature
 {
-  MassMeasureOptions options;
+  MassMeasureOptions options;              ///< of the rule
   double             relativeError{ 0.0 }; ///< MassMeasure::estimateError of the rule [1]
   bool               reached{ false };     ///< relativeError <= the accuracy asked for
 };

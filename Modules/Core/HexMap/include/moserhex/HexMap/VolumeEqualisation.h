@@ -28,11 +28,14 @@ struct EqualisationStage
   double enoughScaledJacobian{ 2.0 };
 };
 
+/** Options of equaliseMeasures and equaliseVolumes. */
 struct EqualisationOptions
 {
   int nodesPerSide{ 0 }; ///< n of the mesh wanted; 0: that of the mesh given
 
+  /** One after the other, on every lattice coarser than the mesh wanted. */
   std::vector<EqualisationStage> coarseStages{ { 0.1, 20.0, 80.0, 60 }, { 0.05, 50.0, 80.0, 60 } };
+  /** One after the other, on the lattice of the mesh wanted, after the coarser ones. */
   std::vector<EqualisationStage> finestStages{ { 0.05, 50.0, 80.0, 30 }, { 0.02, 50.0, 80.0, 30 } };
   /** For a mesh that has the size wanted. When they do not make it exact it is taken back to a coarse lattice. */
   std::vector<EqualisationStage> directStages{ { 0.05, 20.0, 80.0, 60 }, { 0.02, 50.0, 80.0, 60 } };
@@ -55,8 +58,8 @@ struct EqualisationOptions
    * coarse lattice; landmarks and images draw it towards them even where it is exact already. */
   LatticeTies ties;
 
-  EqualMeasureOptions projection; ///< its thread count is replaced by `threads`
-  unsigned int        threads{ 0 };
+  EqualMeasureOptions projection;   ///< its thread count is replaced by `threads`
+  unsigned int        threads{ 0 }; ///< 0: all of the machine's; the result does not depend on it
 };
 
 /** What one piece of the work did. */
@@ -70,12 +73,13 @@ struct EqualisationStep
   std::size_t uncertified{ 0 };  ///< cells with a Bezier coefficient <= 0 after it
   double      distance{ 0.0 };   ///< largest of boundary nodes and quad centres to the surface after it [mm]
   double      uncovered{ 0.0 };  ///< largest distance of the surface to the mesh's boundary after it [mm]
-  double      seconds{ 0.0 };
+  double      seconds{ 0.0 };    ///< wall time [s]
 };
 
+/** What equaliseMeasures and equaliseVolumes made. */
 struct EqualisationResult
 {
-  HexMesh                       mesh;
+  HexMesh                       mesh;                          ///< exact or not [mm]
   double                        level{ 0.0 };                  ///< of phi, on which the boundary nodes were held [mm]
   double                        variance{ 0.0 };               ///< mean (measure / target - 1)^2 [1]
   std::size_t                   concaveCells{ 0 };             ///< with det J <= 0 at a corner
@@ -86,8 +90,8 @@ struct EqualisationResult
   double                        meanScaledJacobian{ 0.0 };     ///< over the cells [1]
   bool                          exact{ false }; ///< measures equal, every cell certified, boundary within tolerance
   std::vector<std::string>      shortcomings;   ///< what of that was not reached, and by how much; empty when exact
-  std::vector<EqualisationStep> steps;
-  StepReport                    report; ///< converged = exact, residual = variance
+  std::vector<EqualisationStep> steps;          ///< in order of execution
+  StepReport                    report;         ///< converged = exact, residual = variance
 };
 
 /** So many uncertified cells after a minimisation mean that the cube's edges lie badly; flaws sit along edges, so the

@@ -18,10 +18,11 @@ enum class BoundaryMotion
   held     ///< the paper's v = 0 on the boundary: the flow does not move them (smoothing still may)
 };
 
+/** Options of volumetricMoserFlow. */
 struct VolumetricMoserFlowOptions
 {
-  BoundaryMotion boundary{ BoundaryMotion::sliding };
-  int            maximumPasses{ 18 };    ///< how often the flow is repeated at most, at least 1
+  BoundaryMotion boundary{ BoundaryMotion::sliding }; ///< during the flow
+  int            maximumPasses{ 18 };                 ///< how often the flow is repeated at most, at least 1
   int            smoothedPasses{ 15 };   ///< the first so many passes begin with smoothing; 0: the flow alone
   double         targetVariance{ 1e-4 }; ///< done when the volume variance is at most this and no cell is concave [1]
   double         minimumGain{ 0.01 };    ///< done when a pass without smoothing lowers the score by less than this [1]
@@ -40,6 +41,7 @@ struct MoserPass
   bool   smoothed{ false };     ///< the pass began with smoothing
 };
 
+/** What volumetricMoserFlow made. */
 struct VolumetricMoserFlowResult
 {
   HexMesh                mesh;          ///< the mesh with the smallest score seen, the input included

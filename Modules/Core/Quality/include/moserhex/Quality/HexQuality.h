@@ -26,20 +26,21 @@ struct HexCellQuality
   bool   concave{ false };   ///< det J <= 0 at one of the 8 corners
 };
 
+/** Quality of one cell. A ratio to an edge or axis without length is the largest finite number. */
 [[nodiscard]] HexCellQuality
 hexCellQuality(const HexCorners & corners);
 
 /** Distribution of one number over a set of cells. Percentiles: linear between order statistics. */
 struct Distribution
 {
-  double minimum{ 0.0 };
-  double p01{ 0.0 };
-  double p05{ 0.0 };
-  double median{ 0.0 };
-  double mean{ 0.0 };
-  double p95{ 0.0 };
-  double p99{ 0.0 };
-  double maximum{ 0.0 };
+  double minimum{ 0.0 }; ///< the smallest value
+  double p01{ 0.0 };     ///< 1st percentile
+  double p05{ 0.0 };     ///< 5th percentile
+  double median{ 0.0 };  ///< 50th percentile
+  double mean{ 0.0 };    ///< arithmetic
+  double p95{ 0.0 };     ///< 95th percentile
+  double p99{ 0.0 };     ///< 99th percentile
+  double maximum{ 0.0 }; ///< the largest value
 };
 
 /** \throws InvalidInput  empty set */
@@ -51,34 +52,34 @@ distributionOf(std::vector<double> values);
  * degrees, so their quality has a ceiling of its own. */
 struct HexClassQuality
 {
-  std::size_t cells{ 0 };
-  std::size_t concaveCells{ 0 };
-  double      volumeVariance{ 0.0 }; ///< about the mesh's mean ratio 1 [1]
-  double      scaledJacobianMin{ 0.0 };
-  double      scaledJacobianMedian{ 0.0 };
+  std::size_t cells{ 0 };                  ///< of the class; 0: all other numbers are 0, too
+  std::size_t concaveCells{ 0 };           ///< with det J <= 0 at a corner
+  double      volumeVariance{ 0.0 };       ///< about the mesh's mean ratio 1 [1]
+  double      scaledJacobianMin{ 0.0 };    ///< smallest of its cells [1]
+  double      scaledJacobianMedian{ 0.0 }; ///< of its cells [1]
 };
 
 /** Ratios to the mean volume are NaN where the cells have no volume, up to rounding, in sum. */
 struct HexQualitySummary
 {
-  std::size_t       cells{ 0 };
+  std::size_t       cells{ 0 };            ///< of the mesh, padding included
   double            volume{ 0.0 };         ///< sum of the cell volumes [mm^3]
   double            volumeVariance{ 0.0 }; ///< population variance of volume / mean volume [1]
   double            ratioMin{ 0.0 };       ///< smallest volume / mean [1]
-  double            ratioMax{ 0.0 };
-  std::size_t       concaveCells{ 0 };
-  double            concavePercent{ 0.0 };
+  double            ratioMax{ 0.0 };       ///< largest volume / mean [1]
+  std::size_t       concaveCells{ 0 };     ///< with det J <= 0 at a corner
+  double            concavePercent{ 0.0 }; ///< of the cells [%]
   CertificateCounts certified; ///< cells by the sign of det J in the whole cell; notPositive + undecided >= concave
-  Distribution      scaledJacobian;
-  Distribution      minimumJacobian; ///< of volume-normalised cells: minimum Jacobian / mean volume [1]
-  Distribution      aspectRatio;
-  Distribution      taper;
-  Distribution      skew;
+  Distribution      scaledJacobian;     ///< of the cells, see HexCellQuality [1]
+  Distribution      minimumJacobian;    ///< of volume-normalised cells: minimum Jacobian / mean volume [1]
+  Distribution      aspectRatio;        ///< of the cells, see HexCellQuality [1]
+  Distribution      taper;              ///< of the cells, see HexCellQuality [1]
+  Distribution      skew;               ///< of the cells, see HexCellQuality [1]
   int               paddingLayers{ 0 }; ///< of a lattice
   bool              isLattice{ false }; ///< without padding: the three classes below are filled in
   HexClassQuality   corners;            ///< the 8 cells at the cube's corners
   HexClassQuality   edges;              ///< the 12 (n-3) cells along its edges
-  HexClassQuality   rest;
+  HexClassQuality   rest;               ///< all other cells
 };
 
 /** Results do not depend on the number of threads (as in parallelFor; 0: all of the machine's). A lattice without
@@ -95,10 +96,11 @@ summarizeQuality(const UnstructuredHexMesh & mesh, unsigned int threads = 1);
 /** The two numbers the flow watches, cheaper than the whole summary. */
 struct VolumeQuality
 {
-  double      volumeVariance{ 0.0 };
-  std::size_t concaveCells{ 0 };
-  double      concavePercent{ 0.0 };
+  double      volumeVariance{ 0.0 }; ///< population variance of volume / mean volume [1]
+  std::size_t concaveCells{ 0 };     ///< with det J <= 0 at a corner
+  double      concavePercent{ 0.0 }; ///< of the cells [%]
 };
+/** Of all cells, padding included. */
 [[nodiscard]] VolumeQuality
 volumeQuality(const HexMesh & mesh);
 

@@ -31,9 +31,11 @@ bezierJacobianCoefficients(const HexCorners & corners);
  * \param threads  as in parallelFor; 0: all of the machine's */
 [[nodiscard]] std::vector<double>
 smallestBezierCoefficients(const HexMesh & mesh, unsigned int threads = 1);
+/** The same for a mesh of any connectivity. */
 [[nodiscard]] std::vector<double>
 smallestBezierCoefficients(const UnstructuredHexMesh & mesh, unsigned int threads = 1);
 
+/** What is known of the sign of det J in a cell. */
 enum class JacobianSign
 {
   Positive,    ///< det J > 0 in the whole closed cell
@@ -41,18 +43,20 @@ enum class JacobianSign
   Undecided    ///< neither shown: the smallest det J is closer to 0 than rounding or the subdivision resolves
 };
 
+/** Options of certifyPositive: how long it may search. */
 struct CertificateOptions
 {
   unsigned int maximumDepth{ 36 };   ///< halvings one after the other, each in one direction; at most 60 [1]
   std::size_t  maximumBoxes{ 4000 }; ///< boxes looked at in one cell [1]
 };
 
+/** What certifyPositive found. */
 struct JacobianCertificate
 {
-  JacobianSign sign{ JacobianSign::Undecided };
-  double       lowerBound{ 0.0 };        ///< min det J is not below [mm^3]
-  double       upperBound{ 0.0 };        ///< smallest det J met at a point: min det J is not above [mm^3]
-  Vector3      point{ Vector3::Zero() }; ///< where it was met, reference cube [0,1]^3 [1]
+  JacobianSign sign{ JacobianSign::Undecided }; ///< of det J in the whole cell
+  double       lowerBound{ 0.0 };               ///< min det J is not below [mm^3]
+  double       upperBound{ 0.0 };               ///< smallest det J met at a point: min det J is not above [mm^3]
+  Vector3      point{ Vector3::Zero() };        ///< where it was met, reference cube [0,1]^3 [1]
 };
 
 /** Is det J positive in the whole cell, not only at its corners?
@@ -69,15 +73,16 @@ certifyPositive(const HexCorners & corners, const CertificateOptions & options =
 /** Cells of a mesh by what certifyPositive says. */
 struct CertificateCounts
 {
-  std::size_t positive{ 0 };
-  std::size_t notPositive{ 0 };
-  std::size_t undecided{ 0 };
+  std::size_t positive{ 0 };    ///< det J > 0 in the whole cell
+  std::size_t notPositive{ 0 }; ///< det J <= 0 somewhere in the cell
+  std::size_t undecided{ 0 };   ///< neither shown
 };
 
 /** certifyPositive for every cell; cells with positive coefficients cost as little as in smallestBezierCoefficients.
  * \throws InvalidInput  as certifyPositive */
 [[nodiscard]] CertificateCounts
 certifyCells(const HexMesh & mesh, const CertificateOptions & options = {}, unsigned int threads = 1);
+/** The same for a mesh of any connectivity. */
 [[nodiscard]] CertificateCounts
 certifyCells(const UnstructuredHexMesh & mesh, const CertificateOptions & options = {}, unsigned int threads = 1);
 

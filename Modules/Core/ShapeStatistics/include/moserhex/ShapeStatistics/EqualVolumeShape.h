@@ -18,12 +18,14 @@ enum class EqualVolumeWay
   Free        ///< equalised, the nodes may go anywhere in the solid
 };
 
+/** Options of equalVolumeShape. */
 struct EqualVolumeOptions
 {
   EqualVolumeWay lastWay{ EqualVolumeWay::Free }; ///< ways after it are not tried
   unsigned int   threads{ 0 };                    ///< 0: all; the result does not depend on it
 };
 
+/** What equalVolumeShape made. */
 struct EqualVolumeShape
 {
   HexMesh           mesh;                    ///< of equal volumes when `exact`
@@ -34,7 +36,7 @@ struct EqualVolumeShape
   double            meanMove{ 0.0 };         ///< of the nodes, from the mesh given [mm]
   double            largestMove{ 0.0 };      ///< [mm]
   double            boundaryDistance{ 0.0 }; ///< largest of its boundary nodes to the boundary given [mm]
-  EqualVolumeWay    way{ EqualVolumeWay::Projection };
+  EqualVolumeWay    way{ EqualVolumeWay::Projection }; ///< that led to the mesh returned
   bool exact{ false }; ///< all volumes equal, every cell certified, boundary nodes within 0.5 mm of the boundary given
   std::vector<std::string> shortcomings; ///< what of that was not reached; empty when exact
 };

@@ -5,6 +5,7 @@
 namespace moserhex
 {
 
+/** Options of exactModeMesh. */
 struct ModeMeshOptions
 {
   /** Tried one after the other until one gives an exact mesh [standard deviations]. */
@@ -12,6 +13,7 @@ struct ModeMeshOptions
   unsigned int        threads{ 0 }; ///< 0: all; the result does not depend on it
 };
 
+/** What exactModeMesh made. */
 struct ModeMesh
 {
   double                   deviations{ 0.0 }; ///< of `deviations` the one shown; 0: none gave an exact mesh

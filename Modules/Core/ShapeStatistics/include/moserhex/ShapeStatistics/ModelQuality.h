@@ -9,12 +9,13 @@
 namespace moserhex
 {
 
+/** Options of modelQuality. */
 struct ModelQualityOptions
 {
   std::size_t   maximumModes{ 0 }; ///< M; 0, or more than there are: all
   std::size_t   samples{ 1000 };   ///< of the model, for specificity
-  std::uint64_t seed{ 1 };
-  unsigned int  threads{ 0 }; ///< 0: all; the result does not depend on it
+  std::uint64_t seed{ 1 };         ///< of the samples' scores
+  unsigned int  threads{ 0 };      ///< 0: all; the result does not depend on it
 };
 
 /** How good a correspondence is, by the model made with it [davies2002]; entry m - 1 for m modes, M entries. Distances
@@ -31,10 +32,11 @@ struct ModelQuality
 /** Mean of every column, and its standard error, 0 for a single row. */
 struct ColumnMeans
 {
-  std::vector<double> mean;
-  std::vector<double> error;
+  std::vector<double> mean;  ///< of every column
+  std::vector<double> error; ///< standard error of the mean, of every column
 };
 
+/** \param values  a row for each observation */
 [[nodiscard]] ColumnMeans
 columnMeans(const Eigen::MatrixXd & values);
 

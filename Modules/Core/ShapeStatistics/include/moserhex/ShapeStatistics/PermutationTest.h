@@ -17,10 +17,11 @@ struct LinearDesign
   Eigen::MatrixXd nuisance; ///< N x z, what else explains the numbers, without the constant; may have no columns
 };
 
+/** Options of permutationTest. */
 struct PermutationOptions
 {
-  std::size_t   permutations{ 10000 }; ///< >= 1; all there are, when these are not more
-  std::uint64_t seed{ 1 };
+  std::size_t   permutations{ 10000 };   ///< >= 1; all there are, when these are not more
+  std::uint64_t seed{ 1 };               ///< of the permutations
   std::size_t   componentsPerPlace{ 3 }; ///< q: columns of the table that belong to one place, 1 to 3
   unsigned int  threads{ 0 };            ///< 0: all; the result does not depend on it
 };

@@ -18,14 +18,16 @@ centroidSize(const Positions & points);
  * subject and step: subjects need not be in memory together. */
 using SubjectLoader = std::function<Positions(std::size_t subject)>;
 
+/** Options of generalisedProcrustes. */
 struct ProcrustesOptions
 {
-  AlignmentKind kind{ AlignmentKind::Rigid };
-  double        tolerance{ 1e-10 }; ///< done when the mean moves by less, over its centroid size [1]
-  int           maximumSteps{ 100 };
-  unsigned int  threads{ 0 }; ///< 0: all; the result does not depend on it
+  AlignmentKind kind{ AlignmentKind::Rigid }; ///< what is taken away of the subjects' differences
+  double        tolerance{ 1e-10 };           ///< done when the mean moves by less, over its centroid size [1]
+  int           maximumSteps{ 100 };          ///< >= 1: alignments of all subjects, each with a new mean
+  unsigned int  threads{ 0 };                 ///< 0: all; the result does not depend on it
 };
 
+/** What generalisedProcrustes found. */
 struct ProcrustesResult
 {
   Positions                        mean;             ///< of the aligned subjects [mm]

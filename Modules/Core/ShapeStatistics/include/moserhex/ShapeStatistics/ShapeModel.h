@@ -17,6 +17,7 @@ struct ShapeModel
   double          totalVariance{ 0.0 }; ///< of all modes there are, also those not kept [mm^2]
 };
 
+/** Options of fitShapeModel. */
 struct ShapeModelOptions
 {
   std::size_t  maximumModes{ 0 };       ///< kept; 0: no such limit
@@ -25,9 +26,10 @@ struct ShapeModelOptions
   unsigned int threads{ 0 };                         ///< 0: all; the result does not depend on it
 };
 
+/** What fitShapeModel found. */
 struct ShapeModelResult
 {
-  ShapeModel model;
+  ShapeModel model; ///< with the modes kept
   /** N x r, scores of the subjects in all r <= N - 1 modes there are, of which the first K were kept [mm]. */
   Eigen::MatrixXd scores;
   Eigen::VectorXd variances; ///< r, of all modes, descending [mm^2]
@@ -72,6 +74,7 @@ pointCovariances(const SubjectTable & table, unsigned int threads = 0);
 /** Points one after the other, 3 x (number of points) coordinates, and back. */
 [[nodiscard]] Eigen::VectorXd
 coordinatesOf(const Positions & points);
+/** The inverse of coordinatesOf: entries 3 a, 3 a + 1, 3 a + 2 are point a. */
 [[nodiscard]] Positions
 pointsOf(const Eigen::VectorXd & coordinates);
 

@@ -21,9 +21,11 @@ public:
   SubjectTable &
   operator=(const SubjectTable &) = delete;
 
+  /** N, the number of rows. */
   [[nodiscard]] virtual std::size_t
   subjects() const = 0;
 
+  /** Numbers of a subject: of shapes, 3 for each point. */
   [[nodiscard]] virtual std::size_t
   columns() const = 0;
 
@@ -36,15 +38,18 @@ public:
 class MatrixTable : public SubjectTable
 {
 public:
+  /** \param values  a row for each subject */
   explicit MatrixTable(Eigen::MatrixXd values) : m_Values(std::move(values))
   {}
 
+  /** Rows of the matrix. */
   [[nodiscard]] std::size_t
   subjects() const override
   {
     return static_cast<std::size_t>(m_Values.rows());
   }
 
+  /** Columns of the matrix. */
   [[nodiscard]] std::size_t
   columns() const override
   {

@@ -53,16 +53,17 @@ enum class TemplateAlignment
   Affine ///< the same, also stretched and sheared
 };
 
+/** Options of meshSolid and meshOnTemplate. */
 struct SolidMeshingOptions
 {
-  int                 shells{ 10 }; ///< N; the lattice has 2N nodes a side
-  MeshingStage        lastStage{ MeshingStage::Exact };
-  MeshingWay          way{ MeshingWay::Fast }; ///< matters only when the last stage is Exact
-  int                 fastShells{ 3 };         ///< shells of the fast way, at most N of them are used
-  std::vector<double> volumeFractions;         ///< of the shells; empty: the cube's own, ((2k-1)/(2N-1))^3
+  int                 shells{ 10 };                     ///< N; the lattice has 2N nodes a side
+  MeshingStage        lastStage{ MeshingStage::Exact }; ///< the mesh is taken after it
+  MeshingWay          way{ MeshingWay::Fast };          ///< matters only when the last stage is Exact
+  int                 fastShells{ 3 };                  ///< shells of the fast way, at most N of them are used
+  std::vector<double> volumeFractions;                  ///< of the shells; empty: the cube's own, ((2k-1)/(2N-1))^3
 
-  LatticeFrame          frame{ LatticeFrame::Anatomical };
-  FramePlacementOptions framePlacement; ///< for LatticeFrame::Ridge; its thread count is replaced
+  LatticeFrame          frame{ LatticeFrame::Anatomical }; ///< of the lattice against the body
+  FramePlacementOptions framePlacement;                    ///< for LatticeFrame::Ridge; its thread count is replaced
   /** Turned frames, the most promising first, that the fast way meshes at full size when its own does not lead to an
    * exact mesh; 0: none [1]. */
   int turnedFrames{ 2 };
@@ -85,7 +86,7 @@ struct SolidMeshingOptions
 
   /** A lattice of N shells that the mesh is to be like, node by node: see meshOnTemplate. Empty: none. */
   std::optional<HexMesh> templateMesh;
-  TemplateAlignment      templateAlignment{ TemplateAlignment::Rigid };
+  TemplateAlignment      templateAlignment{ TemplateAlignment::Rigid }; ///< how it is brought to the solid
   /** Its nodes in the solid's space, as many, where a transform takes them there [mm]; in place of templateAlignment.
    */
   std::optional<Positions> templateNodes;
@@ -112,10 +113,10 @@ shellsToExtract(const SolidMeshingOptions & options);
 /** What a stage did and, from stage G on, the quality of the mesh after it. */
 struct MeshingStageReport
 {
-  std::string                      name;
-  double                           seconds{ 0.0 };
-  std::optional<HexQualitySummary> quality;
-  std::string                      note; ///< empty when there is nothing to say
+  std::string                      name;           ///< "shell surfaces", "sphere maps", "initial map", ...
+  double                           seconds{ 0.0 }; ///< wall time [s]
+  std::optional<HexQualitySummary> quality;        ///< of the mesh; empty before stage G
+  std::string                      note;           ///< empty when there is nothing to say
 };
 
 /** Distance of the mesh's boundary to the organ's surface, over boundary nodes and centres of boundary quadrilaterals.
@@ -134,13 +135,14 @@ struct MassReport
   double quadratureError{ 0.0 }; ///< estimated, of the worst cell's mass against the mean mass [1]
 };
 
+/** What meshSolid and meshOnTemplate made. */
 struct SolidMeshingResult
 {
-  HexMesh                                 mesh;       ///< of the last stage, with its padding
-  std::vector<MeshingStageReport>         stages;     ///< in order of execution
-  ShellSurfacesSummary                    shells;     ///< stage C
-  std::vector<AreaPreservingMapResult>    sphereMaps; ///< entry k-1 for shell k; positions are emptied
-  BoundaryDistance                        boundary;
+  HexMesh                                 mesh;         ///< of the last stage, with its padding
+  std::vector<MeshingStageReport>         stages;       ///< in order of execution
+  ShellSurfacesSummary                    shells;       ///< stage C
+  std::vector<AreaPreservingMapResult>    sphereMaps;   ///< entry k-1 for shell k; positions are emptied
+  BoundaryDistance                        boundary;     ///< of the mesh to the surface of the solid that was meshed
   std::optional<FramePlacementResult>     frame;        ///< of LatticeFrame::Ridge
   std::optional<SurfaceAlignmentResult>   alignment;    ///< of a template
   std::optional<TemplateRefinementResult> refinement;   ///< of a tied mesh
@@ -150,7 +152,7 @@ struct SolidMeshingResult
   bool                                    exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
   std::optional<MassReport>               mass;                         ///< with a density
   std::optional<EqualisationResult>       equalisation;                 ///< stage J; its mesh is emptied
-  std::vector<std::string>                warnings;
+  std::vector<std::string>                warnings;                     ///< what a user should be told, one line each
 };
 
 /** Stages C to K: from a solid and its ordering by volume to a structured hexahedral mesh.

@@ -14,16 +14,18 @@ enum class SurfaceAlignmentKind
   Affine ///< also stretched and sheared, without a change of volume
 };
 
+/** Options of alignToSurface. */
 struct SurfaceAlignmentOptions
 {
-  SurfaceAlignmentKind kind{ SurfaceAlignmentKind::Rigid };
-  int                  maximumSteps{ 100 };    ///< of each search and scale
-  double               smallestMotion{ 1e-4 }; ///< a step that moves no point farther ends the search [mm]
+  SurfaceAlignmentKind kind{ SurfaceAlignmentKind::Rigid }; ///< what may be done to the points
+  int                  maximumSteps{ 100 };                 ///< of each search and scale
+  double               smallestMotion{ 1e-4 };              ///< a step that moves no point farther ends the search [mm]
 };
 
+/** What alignToSurface found. */
 struct SurfaceAlignmentResult
 {
-  AffineTransform motion;
+  AffineTransform motion;           ///< takes the points to the surface
   double          shift{ 0.0 };     ///< of the points' middle [mm]
   double          rmsBefore{ 0.0 }; ///< of the points to the surface as they were given [mm]
   double          rmsAfter{ 0.0 };  ///< [mm]

@@ -19,15 +19,16 @@ struct CorrespondingPoints
 struct CorrespondingImages
 {
   ScalarVolume ofTemplate; ///< in the template's own space
-  ScalarVolume ofSolid;
+  ScalarVolume ofSolid;    ///< in the solid's space
 };
 
 /** What says more than the shapes do about where the places of a template are in a solid. */
 struct TemplateRefinement
 {
-  std::vector<CorrespondingPoints>   landmarks;
-  std::optional<CorrespondingImages> images;
+  std::vector<CorrespondingPoints>   landmarks; ///< empty: none
+  std::optional<CorrespondingImages> images;    ///< empty: none
 
+  /** There are landmarks or images. */
   [[nodiscard]] bool
   any() const
   {
@@ -38,10 +39,11 @@ struct TemplateRefinement
 /** What a refinement left of what it was to make small. */
 struct RefinedResidual
 {
-  double before{ 0.0 };
-  double after{ 0.0 };
+  double before{ 0.0 }; ///< of the tied mesh that the refinement starts from
+  double after{ 0.0 };  ///< of the mesh returned
 };
 
+/** What a refinement reached. */
 struct TemplateRefinementResult
 {
   std::optional<RefinedResidual> landmarkError; ///< root mean square over the landmarks [mm]

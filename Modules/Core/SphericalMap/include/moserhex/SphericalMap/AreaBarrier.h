@@ -8,6 +8,7 @@
 namespace moserhex
 {
 
+/** Options of AreaBarrier::minimise. */
 struct AreaBarrierOptions
 {
   double shapeWeight{ 1e-3 };     ///< eps of the energy that is minimised at the end [1]
@@ -17,9 +18,10 @@ struct AreaBarrierOptions
   int    maximumSteps{ 200 };     ///< factorisations
 };
 
+/** What AreaBarrier::minimise found. */
 struct AreaBarrierResult
 {
-  Positions  positions;
+  Positions  positions;           ///< nV, |s| = 1, no flipped triangle
   double     areaRatioRms{ 0.0 }; ///< over triangles [1]
   StepReport report;              ///< steps: factorisations; residual: rms length of the last Newton step [rad]
 };

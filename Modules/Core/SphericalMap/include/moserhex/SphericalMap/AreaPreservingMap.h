@@ -19,22 +19,24 @@ enum class SphereMapStage
   AreaPreserving ///< ... and the barrier minimiser: the map with the guarantees
 };
 
+/** Options of areaPreservingSphereMap. */
 struct AreaPreservingMapOptions
 {
-  Vector3                removedDirection{ Vector3::UnitZ() }; ///< see ConformalMapOptions
-  std::optional<Vector3> removedNearPoint;                     ///< see ConformalMapOptions
-  SphereMapStage         lastStage{ SphereMapStage::AreaPreserving };
-  double                 shapeWeight{ 1e-3 };   ///< eps at which the map is the minimiser [1]
+  Vector3                removedDirection{ Vector3::UnitZ() };        ///< see ConformalMapOptions
+  std::optional<Vector3> removedNearPoint;                            ///< see ConformalMapOptions
+  SphereMapStage         lastStage{ SphereMapStage::AreaPreserving }; ///< where to stop
+  double                 shapeWeight{ 1e-3 };                         ///< eps at which the map is the minimiser [1]
   double                 areaTolerance{ 0.01 }; ///< area ratio rms promised; eps goes down until it holds [1]
   double                 areaLimit{ 0.0 };      ///< a rms above areaTolerance is accepted up to this; 0: never [1]
   double                 relativeFloor{ 1e-3 }; ///< smallest target of a triangle, of the mean [1]
   int                    maximumSteps{ 200 };   ///< Newton steps of each minimisation
 };
 
+/** What areaPreservingSphereMap made. */
 struct AreaPreservingMapResult
 {
   Positions        positions; ///< nV, |s| = 1 within 1e-15
-  SphereMapQuality quality;
+  SphereMapQuality quality;   ///< of the map: flips, area ratios, angles
   std::string path; ///< start taken and what followed: "conformal", "conformal + moser", "hierarchy + eps 0.0007", ...
   std::vector<StepReport> reports; ///< one per stage, in order; note names the stage
   double shapeWeight{ 0.0 };       ///< eps of the result: options.shapeWeight unless the tolerance asked for less

@@ -15,17 +15,19 @@ enum class LaplacianWeights
   ClampedCotangent ///< forced into [smallestWeight, largestWeight]: an embedding of the plane for any mesh
 };
 
+/** Options of conformalSphereMap. */
 struct ConformalMapOptions
 {
   Vector3 removedDirection{
     Vector3::UnitZ()
   };                                       ///< the triangle removed lies this way from the surface's centroid [LPS]
   std::optional<Vector3> removedNearPoint; ///< when set: the triangle nearest to this point instead [mm]
-  LaplacianWeights       weights{ LaplacianWeights::Cotangent };
-  double                 smallestWeight{ 1e-2 }; ///< of clamped weights [1]
-  double                 largestWeight{ 1e2 };   ///< of clamped weights [1]
+  LaplacianWeights       weights{ LaplacianWeights::Cotangent }; ///< of the Laplacian
+  double                 smallestWeight{ 1e-2 };                 ///< of clamped weights [1]
+  double                 largestWeight{ 1e2 };                   ///< of clamped weights [1]
 };
 
+/** What conformalSphereMap made. */
 struct ConformalMapResult
 {
   Positions  positions;             ///< nV, unit vectors; the removed triangle lies around the north pole

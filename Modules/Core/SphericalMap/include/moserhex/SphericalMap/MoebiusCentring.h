@@ -6,16 +6,18 @@
 namespace moserhex
 {
 
+/** Options of moebiusCentring. */
 struct MoebiusCentringOptions
 {
-  double tolerance{ 1e-12 }; ///< on the norm of the area centroid [1]
-  int    maximumSteps{ 100 };
+  double tolerance{ 1e-12 };  ///< on the norm of the area centroid [1]
+  int    maximumSteps{ 100 }; ///< of Newton's method
 };
 
+/** What moebiusCentring made. */
 struct MoebiusCentringResult
 {
-  Positions  positions;
-  StepReport report; ///< residual: norm of the area centroid at the end [1]
+  Positions  positions; ///< nV, |s| = 1
+  StepReport report;    ///< residual: norm of the area centroid at the end [1]
 };
 
 /** Conformal transformation of the sphere that moves a point s by the boost c, |c| < 1:

@@ -6,6 +6,7 @@
 namespace moserhex
 {
 
+/** Options of moserAreaFlow and moserAreaFlowPass. */
 struct MoserAreaFlowOptions
 {
   double tolerance{ 0.01 };   ///< stop when the area ratio rms over triangles is below this [1]
@@ -15,6 +16,7 @@ struct MoserAreaFlowOptions
   double relativeFloor{ 1e-3 }; ///< see targetSolidAngles
 };
 
+/** What moserAreaFlow and moserAreaFlowPass made. */
 struct MoserAreaFlowResult
 {
   Positions  positions; ///< never with more flipped triangles than the start

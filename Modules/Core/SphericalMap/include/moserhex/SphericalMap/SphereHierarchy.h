@@ -6,6 +6,7 @@
 namespace moserhex
 {
 
+/** Options of sphereMapByHierarchy. */
 struct SphereHierarchyOptions
 {
   double coarsestContrast{ 2.0 }; ///< areas on the coarsest level lie within this factor of their mean [1]
@@ -14,6 +15,7 @@ struct SphereHierarchyOptions
   int    stepsPerLevel{ 20 };     ///< Newton steps at most
 };
 
+/** What sphereMapByHierarchy made. */
 struct SphereHierarchyResult
 {
   Positions  positions; ///< no flipped triangle

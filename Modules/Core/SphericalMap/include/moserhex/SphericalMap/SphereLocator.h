@@ -16,9 +16,10 @@ namespace moserhex
 class SphereLocator
 {
 public:
+  /** A place in the triangulation. */
   struct Hit
   {
-    int     triangle{ -1 };
+    int     triangle{ -1 };                 ///< its number, in the order given
     Vector3 barycentric{ Vector3::Zero() }; ///< >= 0, sum 1: central projection onto the flat triangle
   };
 
