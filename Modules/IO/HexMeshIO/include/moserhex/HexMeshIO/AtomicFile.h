@@ -21,12 +21,14 @@ public:
   AtomicFile &
   operator=(const AtomicFile &) = delete;
 
+  /** Where to write: in the same folder, the same ending. */
   [[nodiscard]] const std::string &
   partName() const
   {
     return m_PartName;
   }
 
+  /** As given to the constructor. */
   [[nodiscard]] const std::string &
   finalName() const
   {

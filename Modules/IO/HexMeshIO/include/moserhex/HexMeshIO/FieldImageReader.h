@@ -13,7 +13,7 @@ namespace moserhex
 /** An image of one or several numbers per voxel as read. */
 struct FieldImage
 {
-  std::string                fileName;
+  std::string                fileName; ///< as given to the reader
   FieldVolume                volume;   ///< LPS mm
   std::vector<unsigned char> hasValue; ///< of masked tensors, 1 for each voxel in the mask, 0 for those without data,
                                        ///< whose numbers are as in the file; empty: all voxels have data

@@ -10,7 +10,7 @@ namespace moserhex
 /** A message that another process has already put together. */
 struct FinishedMessage
 {
-  std::string text;
+  std::string text; ///< what() of the error
 };
 
 /** A fault of a file. The message is one line: file, cause, remedy; with "error: " before it and " [code]" behind, it
@@ -18,6 +18,7 @@ struct FinishedMessage
 class FileError : public Error
 {
 public:
+  /** With a message of file, cause and remedy, see fileMessage. \param remedy  what the user can do */
   FileError(ErrorCode code, const std::string & file, const std::string & cause, const std::string & remedy);
 
   /** With the message as it is, of an error of this class in another process. */

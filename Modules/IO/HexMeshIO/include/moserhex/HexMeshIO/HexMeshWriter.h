@@ -30,12 +30,14 @@ struct HexMeshFields
   std::vector<NamedArray> meshArrays;  ///< once for the mesh, VTK's field data; .vtu and .vtk only
 };
 
+/** Versions of the format MSH. */
 enum class GmshVersion
 {
-  Msh41,
-  Msh22
+  Msh41, ///< 4.1
+  Msh22  ///< 2.2
 };
 
+/** Options of writeHexMesh. */
 struct HexMeshWriterOptions
 {
   bool        spaceTag{ true }; ///< .vtu only: field array SPACE = "LPS", which Slicer wants and meshio does not read

@@ -15,8 +15,8 @@ namespace moserhex
 /** What a file says in its header, for voxels that are in memory already. */
 struct ArrayHeader
 {
-  std::string                  name; ///< of the array, in messages
-  std::array<std::uint64_t, 3> size{ { 0, 0, 0 } };
+  std::string                  name;                           ///< of the array, in messages
+  std::array<std::uint64_t, 3> size{ { 0, 0, 0 } };            ///< voxels along each axis
   Matrix3                      columns{ Matrix3::Identity() }; ///< steps of the three indices [mm, LPS]
   Vector3                      origin{ Vector3::Zero() };      ///< centre of voxel (0,0,0) [mm, LPS]
 };

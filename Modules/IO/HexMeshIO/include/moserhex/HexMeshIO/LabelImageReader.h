@@ -15,38 +15,41 @@
 namespace moserhex
 {
 
+/** A label; 0 is the background. */
 using LabelValue = std::int32_t;
+/** A labelmap in ITK's terms. */
 using LabelImageType = itk::Image<LabelValue, 3>;
 
 /** One label of an image. */
 struct LabelEntry
 {
-  LabelValue  value{ 0 };
-  std::size_t voxels{ 0 };
-  std::string name; ///< segment name of a Slicer .seg.nrrd; empty elsewhere
+  LabelValue  value{ 0 };  ///< not 0
+  std::size_t voxels{ 0 }; ///< that have it
+  std::string name;        ///< segment name of a Slicer .seg.nrrd; empty elsewhere
 };
 
 /** One segment of a Slicer .seg.nrrd: the voxels of one label value in one layer. Layers overlap, segments of a layer
  * do not. */
 struct SegmentEntry
 {
-  std::string name;
-  std::string id;
-  int         layer{ 0 };
-  LabelValue  value{ 1 };
-  std::size_t voxels{ 0 };
+  std::string name;        ///< empty: the file gives none
+  std::string id;          ///< as Slicer gives it; empty: the file gives none
+  int         layer{ 0 };  ///< from 0; 0 in a file without layers
+  LabelValue  value{ 1 };  ///< of its voxels in the layer
+  std::size_t voxels{ 0 }; ///< of it; 0 where a threshold was asked for
 };
 
 /** A labelmap as read: LPS millimetres, right-handed or not as the file says. */
 struct LabelImage
 {
-  std::string               fileName;
-  LabelImageType::Pointer   image;
+  std::string               fileName; ///< as given to the reader
+  LabelImageType::Pointer   image;    ///< the voxels
   std::vector<LabelEntry>   labels;   ///< labels other than 0, ascending by value
   std::vector<std::string>  warnings; ///< one line each
   std::vector<SegmentEntry> segments; ///< all of a Slicer .seg.nrrd, in its order; empty elsewhere
 };
 
+/** Options of readLabelImage. */
 struct LabelReadOptions
 {
   std::optional<double>      threshold;       ///< voxels at or above it become label 1, all others 0

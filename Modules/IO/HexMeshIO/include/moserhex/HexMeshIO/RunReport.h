@@ -26,35 +26,37 @@ struct StageQuality
 /** One stage of a run. */
 struct StageRecord
 {
-  std::string                 name;
-  double                      seconds{ 0.0 };
-  std::optional<StageQuality> quality; ///< only for stages that leave a mesh
-  std::string                 note{};  ///< what the stage did, in words; may be empty
+  std::string                 name;           ///< as MeshingStageReport::name
+  double                      seconds{ 0.0 }; ///< wall time [s]
+  std::optional<StageQuality> quality;        ///< only for stages that leave a mesh
+  std::string                 note{};         ///< what the stage did, in words; may be empty
 };
 
 /** What a run read, did and made, or why it made nothing: written as JSON beside the mesh. Lengths in mm, LPS.
  * What is empty was not used, or not known yet when the run failed; it is left out. */
 struct RunReport
 {
+  /** The labelmap or surface that was read. */
   struct Input
   {
-    std::string               file;
+    std::string               file;                       ///< its name, as given
     std::string               sha256;                     ///< sha256OfInput
     std::vector<std::int64_t> labels;                     ///< one, or those that were taken together; none: not read
     std::string               labelName;                  ///< of the one
     Vector3                   spacing{ Vector3::Zero() }; ///< [mm]
-    std::size_t               voxels{ 0 };
+    std::size_t               voxels{ 0 };   ///< of the label, or of all labels together, before its repair
     double                    volume{ 0.0 }; ///< voxels x volume of a voxel [mm^3]
   };
+  /** What was asked for. */
   struct Parameters
   {
-    int         shells{ 0 };
+    int         shells{ 0 };  ///< N
     int         padding{ 0 }; ///< layers of pillow cells
-    std::string stage;
-    std::string shellMethod;
-    std::string way;     ///< fast | faithful; empty when the stage is not exact
-    std::string frame;   ///< anatomical | ridge
-    std::string density; ///< file; empty: volumes
+    std::string stage;        ///< initial | smoothed | moser | exact
+    std::string shellMethod;  ///< auto | chan-vese | snapshots | eikonal
+    std::string way;          ///< fast | faithful; empty when the stage is not exact
+    std::string frame;        ///< anatomical | ridge
+    std::string density;      ///< file; empty: volumes
 
     std::string                topology;             ///< repair | reject
     double                     maximumRepair{ 0.0 }; ///< [%]
@@ -64,8 +66,8 @@ struct RunReport
   /** The density that was kept, in the image's own unit. */
   struct Density
   {
-    std::string file;
-    std::string sha256;
+    std::string file;               ///< its name, as given
+    std::string sha256;             ///< of the file's content
     double      mean{ 0.0 };        ///< over the label, 0: not known [unit of the image]
     double      mass{ 0.0 };        ///< mean times the label's volume [unit of the image * mm^3]
     double      massPerCell{ 0.0 }; ///< what every cell holds [unit of the image * mm^3]
@@ -73,9 +75,9 @@ struct RunReport
   /** How the lattice was turned for its edges' sake. */
   struct Frame
   {
-    double angle{ 0.0 }; ///< [degree]
-    double scoreBefore{ 0.0 };
-    double scoreAfter{ 0.0 }; ///< of the cube's edges on the surface, less is better [1]
+    double angle{ 0.0 };       ///< [degree]
+    double scoreBefore{ 0.0 }; ///< of the frame before it was turned, as scoreAfter
+    double scoreAfter{ 0.0 };  ///< of the cube's edges on the surface, less is better [1]
   };
   /** How a template was brought to the label. */
   struct Alignment
@@ -88,15 +90,15 @@ struct RunReport
   /** What a refinement left of a distance. */
   struct Residual
   {
-    double before{ 0.0 };
-    double after{ 0.0 };
+    double before{ 0.0 }; ///< of the tied mesh that the refinement starts from
+    double after{ 0.0 };  ///< of the mesh written
   };
   /** A file that was read. */
   struct File
   {
-    std::string role; ///< mesh | transform | landmarks | template_landmarks | image | template_image
-    std::string name;
-    std::string sha256;
+    std::string role;   ///< mesh | transform | landmarks | template_landmarks | image | template_image
+    std::string name;   ///< its name, as given
+    std::string sha256; ///< of its content
   };
   /** The mesh that this one is tied to, how it was brought to the label, and how the two were made more alike. */
   struct Template
@@ -110,9 +112,9 @@ struct RunReport
   /** What stage J promises, and whether it was reached. */
   struct Exact
   {
-    bool                     reached{ false };
-    bool                     certified{ false }; ///< det J > 0 in every whole cell
-    std::size_t              uncertifiedCells{ 0 };
+    bool                     reached{ false };           ///< EqualisationResult::exact
+    bool                     certified{ false };         ///< det J > 0 in every whole cell
+    std::size_t              uncertifiedCells{ 0 };      ///< EqualisationResult::uncertifiedCells
     double                   variance{ 0.0 };            ///< mean (measure / target - 1)^2 [1]
     double                   massQuadratureError{ 0.0 }; ///< with a density: estimated, of the worst cell's mass [1]
     std::vector<std::string> shortcomings;               ///< empty when reached
@@ -120,25 +122,27 @@ struct RunReport
   /** What was done to the label's topology, and how it was smoothed. */
   struct Conditioning
   {
-    std::size_t                 components{ 1 }; ///< of the label as it was, as are cavities and handles
-    std::size_t                 cavities{ 0 };
-    long                        handles{ 0 };
-    std::vector<TopologyChange> changes;
-    std::size_t                 voxelsAdded{ 0 };
-    std::size_t                 voxelsRemoved{ 0 };
-    double                      voxelVolume{ 0.0 };    ///< [mm^3]
+    std::size_t                 components{ 1 };    ///< of the label as it was, as are cavities and handles
+    std::size_t                 cavities{ 0 };      ///< of the label as it was
+    long                        handles{ 0 };       ///< of the label as it was
+    std::vector<TopologyChange> changes;            ///< in the order they were made; empty: it was one solid of genus 0
+    std::size_t                 voxelsAdded{ 0 };   ///< inside now, not before
+    std::size_t                 voxelsRemoved{ 0 }; ///< inside before, not now
+    double                      voxelVolume{ 0.0 }; ///< [mm^3]
     double                      changedPercent{ 0.0 }; ///< voxels added and removed over those of the label [%]
     double                      sigma{ 0.0 };          ///< of the Gaussian [mm]
     double                      dice{ 0.0 };           ///< of the conditioned solid and the repaired label's voxels [1]
   };
+  /** The mesh that was written. */
   struct Mesh
   {
-    std::string file;
-    std::size_t nodes{ 0 };
-    std::size_t cells{ 0 };
+    std::string file;          ///< its name, as given
+    std::size_t nodes{ 0 };    ///< with those of the padding
+    std::size_t cells{ 0 };    ///< with those of the padding
     double      volume{ 0.0 }; ///< sum of the cell volumes [mm^3]
     std::string outline{};     ///< seen from the front: "x,z x,z ...", a closed polygon [mm, LPS]; empty: not made
   };
+  /** Distance of the mesh's boundary to the surface of the solid that was meshed, see BoundaryDistance. */
   struct Surface
   {
     double rms{ 0.0 };     ///< of boundary nodes and quadrilateral centres to the solid's surface [mm]
@@ -147,32 +151,33 @@ struct RunReport
   /** Why there is no mesh. */
   struct Failure
   {
-    ErrorCode   code{ ErrorCode::Internal };
-    std::string message;
+    ErrorCode   code{ ErrorCode::Internal }; ///< kind of fault
+    std::string message;                     ///< for people, one line
   };
+  /** Of the programs that made the mesh. */
   struct Versions
   {
-    std::string moserhex;
-    std::string git;
-    std::string itk;
-    std::string vtk;
-    std::string eigen;
+    std::string moserhex; ///< of MoserHex
+    std::string git;      ///< what git describe says of its source; "unknown" outside a repository
+    std::string itk;      ///< of ITK
+    std::string vtk;      ///< of VTK
+    std::string eigen;    ///< of Eigen
   };
 
-  std::optional<Failure>      failure; ///< empty: meshed
-  Input                       input;
-  std::optional<Density>      density; ///< empty: volumes
-  std::optional<Conditioning> conditioning;
-  Parameters                  parameters;
-  std::vector<StageRecord>    stages;
-  Mesh                        mesh; ///< of a failed run the file's name only
-  std::optional<Surface>      surface;
-  std::optional<Template>     templateMesh;
-  std::optional<Frame>        frame; ///< when it was asked for
-  std::optional<Exact>        exact;
-  std::vector<std::string>    warnings;
-  Versions                    versions; ///< itk, vtk and eigen are filled in by libraryVersions()
-  unsigned int                threads{ 0 };
+  std::optional<Failure>      failure;        ///< empty: meshed
+  Input                       input;          ///< what was read
+  std::optional<Density>      density;        ///< empty: volumes
+  std::optional<Conditioning> conditioning;   ///< empty: not done yet
+  Parameters                  parameters;     ///< what was asked for
+  std::vector<StageRecord>    stages;         ///< in order of execution
+  Mesh                        mesh;           ///< of a failed run the file's name only
+  std::optional<Surface>      surface;        ///< empty: no mesh yet
+  std::optional<Template>     templateMesh;   ///< empty: no template
+  std::optional<Frame>        frame;          ///< when it was asked for
+  std::optional<Exact>        exact;          ///< empty: the last stage is another, or no mesh yet
+  std::vector<std::string>    warnings;       ///< what a user should be told, one line each
+  Versions                    versions;       ///< itk, vtk and eigen are filled in by libraryVersions()
+  unsigned int                threads{ 0 };   ///< as asked for; 0: all of the machine's
   double                      seconds{ 0.0 }; ///< whole run, wall time
   std::optional<double>       peakMemory;     ///< of the process [MiB]
   bool reproducible{ false };                 ///< seconds, threads and memory are left out: the same run, the same text

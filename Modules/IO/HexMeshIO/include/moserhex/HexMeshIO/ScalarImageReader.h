@@ -11,13 +11,14 @@
 namespace moserhex
 {
 
+/** An image of one number per voxel in ITK's terms. */
 using ScalarImageType = itk::Image<double, 3>;
 
 /** A scalar image as read: LPS millimetres, right-handed or not as the file says. */
 struct ScalarImage
 {
-  std::string              fileName;
-  ScalarImageType::Pointer image;
+  std::string              fileName; ///< as given to the reader
+  ScalarImageType::Pointer image;    ///< the voxels
   std::vector<std::string> warnings; ///< one line each
 };
 

@@ -12,6 +12,7 @@ namespace moserhex
 class Sha256
 {
 public:
+  /** Takes `size` further bytes. */
   void
   update(const void * data, std::size_t size);
 

@@ -10,6 +10,7 @@
 namespace moserhex
 {
 
+/** What readSurface made. */
 struct SurfaceFile
 {
   TriangleMesh             mesh;     ///< closed, oriented outwards, LPS [mm]

@@ -6,6 +6,7 @@
 namespace moserhex
 {
 
+/** Options of voxelise. */
 struct SurfaceVoxelisationOptions
 {
   double      spacing{ 0.0 };     ///< edge of a voxel [mm]; 0: so that the surface's box holds about `voxelsInBox`

@@ -43,42 +43,52 @@ public:
   bool
   CanReadFile(const char * fileName) override;
 
+  /** Reads the whole file; the numbers of points and cells, their types and the size of the cells' buffer are known
+   * then. \throws ExceptionObject  as moserhex::readHexCells */
   void
   ReadMeshInformation() override;
 
+  /** \param buffer  for 3 doubles a point: x, y, z in LPS [mm] */
   void
   ReadPoints(void * buffer) override;
 
+  /** \param buffer  for 10 SizeValueType a hexahedron: ITK's geometry, 8, and the numbers of its points */
   void
   ReadCells(void * buffer) override;
 
+  ///@{
+  /** Does nothing: ReadMeshInformation() finds no data. */
   void
   ReadPointData(void *) override
   {}
-
   void
   ReadCellData(void *) override
   {}
+  ///@}
 
   /** A name that ends with .vtk. */
   bool
   CanWriteFile(const char * fileName) override;
 
+  /** Begins a mesh. \throws ExceptionObject  points without three coordinates */
   void
   WriteMeshInformation() override;
 
+  ///@{
+  /** Keeps a copy for Write(). \param buffer  as ITK describes it by the numbers and types that were set
+   * \throws ExceptionObject  numbers of a type that VTK files do not hold */
   void
   WritePoints(void * buffer) override;
-
   void
   WriteCells(void * buffer) override;
-
   void
   WritePointData(void * buffer) override;
-
   void
   WriteCellData(void * buffer) override;
+  ///@}
 
+  /** Makes the file of what was kept. \throws ExceptionObject  a kind of cell that is not written, or as
+   * moserhex::writeTextFile */
   void
   Write() override;
 
@@ -106,15 +116,18 @@ public:
   using ConstPointer = SmartPointer<const Self>;
 
   itkFactorylessNewMacro(Self);
+
   const char *
   GetNameOfClass() const override
   {
     return "VTKUnstructuredGridMeshIOFactory";
   }
 
+  /** Of the ITK that this library was built with. */
   const char *
   GetITKSourceVersion() const override;
 
+  /** What it makes, for people. */
   const char *
   GetDescription() const override;
 
