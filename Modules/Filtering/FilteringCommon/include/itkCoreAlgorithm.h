@@ -10,6 +10,7 @@
 
 #include <utility>
 
+/** The filters and what converts between ITK's images and meshes and the Core's. */
 namespace itk
 {
 
@@ -18,11 +19,13 @@ namespace itk
 class CoreError : public ExceptionObject
 {
 public:
+  /** \param file, line  where it is thrown; \param where  class of the filter */
   CoreError(const char * file, unsigned int line, const moserhex::Error & error, const std::string & where)
     : ExceptionObject(file, line, error.what(), where.c_str()), m_Code(error.code())
   {}
   itkOverrideGetNameOfClassMacro(CoreError);
 
+  /** Of the Core's error. */
   moserhex::ErrorCode
   GetCode() const
   {

@@ -30,9 +30,16 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(AreaPreservingSphereMapMeshFilter);
 
+  /** Where the map is taken from the chain: moserhex::AreaPreservingMapOptions::lastStage. */
   itkOptionMacro(LastStage, moserhex::SphereMapStage, lastStage);
+
+  /** Weight of the shape against the areas: moserhex::AreaPreservingMapOptions::shapeWeight. */
   itkOptionMacro(ShapeWeight, double, shapeWeight);
+
+  /** Area ratio rms that is promised: moserhex::AreaPreservingMapOptions::areaTolerance. */
   itkOptionMacro(AreaTolerance, double, areaTolerance);
+
+  /** Newton steps of each minimisation: moserhex::AreaPreservingMapOptions::maximumSteps. */
   itkOptionMacro(MaximumSteps, int, maximumSteps);
 
   /** Flips, solid angles, area ratios and angle errors of the last output. */

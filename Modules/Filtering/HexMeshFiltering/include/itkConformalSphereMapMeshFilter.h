@@ -38,6 +38,7 @@ public:
     m_Options = options;
     this->Modified();
   }
+  /** \copydoc SetOptions */
   itkGetConstReferenceMacro(Options, moserhex::ConformalMapOptions);
 
   /** Triangles with a negative solid angle in the last output. */

@@ -30,6 +30,7 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(HexMeshQualityCalculator);
 
+  /** A lattice, with or without padding. */
   itkSetConstObjectMacro(Mesh, TMesh);
   itkGetConstObjectMacro(Mesh, TMesh);
 
@@ -51,6 +52,7 @@ public:
     }
   }
 
+  /** Of the last Compute(). */
   itkGetConstReferenceMacro(Summary, moserhex::HexQualitySummary);
 
 protected:

@@ -27,8 +27,13 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(LatticeSmoothingMeshFilter);
 
+  /** How far the interior diffuses: moserhex::LatticeSmoothingOptions::interiorTime. */
   itkOptionMacro(InteriorTime, double, interiorTime);
+
+  /** Sweeps over the boundary: moserhex::LatticeSmoothingOptions::boundarySweeps. */
   itkOptionMacro(BoundarySweeps, int, boundarySweeps);
+
+  /** What one of them does: moserhex::LatticeSmoothingOptions::boundaryStrength. */
   itkOptionMacro(BoundaryStrength, double, boundaryStrength);
 
   /** Puts boundary points back on the organ's surface; needed when BoundarySweeps > 0. */

@@ -55,13 +55,21 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(MassPreservingHexahedralMeshFilter);
 
+  ///@{
+  /** Of the input and the output. */
   using LabelImageType = TLabelImage;
   using LabelType = typename TLabelImage::PixelType;
   using MeshType = TMesh;
+  ///@}
+
+  ///@{
+  /** Of the mini-pipeline. */
   using LevelSetImageType = Image<double, 3>;
   using ConditioningFilterType = LabelConditioningImageFilter<TLabelImage, LevelSetImageType>;
   using OrderingFilterType = LevelSetToShellOrderingImageFilter<LevelSetImageType>;
-  using ShellMethod = typename OrderingFilterType::MethodEnum;
+  ///@}
+
+  using ShellMethod = typename OrderingFilterType::MethodEnum; ///< ChanVese, Snapshots or Eikonal
 
   /** Which label to mesh. Default 1. */
   itkSetMacro(Label, LabelType);
@@ -92,6 +100,7 @@ public:
     m_Options.templateMesh = std::move(mesh);
     this->Modified();
   }
+  /** \copydoc SetTemplateMesh */
   const std::optional<moserhex::HexMesh> &
   GetTemplateMesh() const
   {
@@ -108,6 +117,7 @@ public:
     m_Options.templateNodes = std::move(nodes);
     this->Modified();
   }
+  /** \copydoc SetTemplateNodes */
   const std::optional<moserhex::Positions> &
   GetTemplateNodes() const
   {
@@ -122,15 +132,17 @@ public:
     m_Options.refinement = std::move(refinement);
     this->Modified();
   }
+  /** \copydoc SetTemplateRefinement */
   const moserhex::TemplateRefinement &
   GetTemplateRefinement() const
   {
     return m_Options.refinement;
   }
 
+  using DensityImageType = Image<double, 3>; ///< any unit
+
   /** A positive density on the label's space: cells get equal masses instead of equal volumes. The grid may differ from
    * the label's. Optional; only with the last stage Exact. */
-  using DensityImageType = Image<double, 3>;
   itkSetInputMacro(DensityImage, DensityImageType);
   itkGetInputMacro(DensityImage, DensityImageType);
 
@@ -144,6 +156,7 @@ public:
       this->Modified();
     }
   }
+  /** \copydoc SetTopologyPolicy */
   moserhex::TopologyPolicy
   GetTopologyPolicy() const
   {
@@ -166,6 +179,7 @@ public:
     m_ShellMethod = method;
     this->Modified();
   }
+  /** The method that the next run takes: the one set or, until then, the one that the other options lead to. */
   ShellMethod
   GetShellMethod() const
   {
@@ -180,6 +194,7 @@ public:
     m_Options = options;
     this->Modified();
   }
+  /** \copydoc SetMeshingOptions */
   const moserhex::SolidMeshingOptions &
   GetMeshingOptions() const
   {
@@ -228,6 +243,8 @@ protected:
   MassPreservingHexahedralMeshFilter() = default;
   ~MassPreservingHexahedralMeshFilter() override = default;
 
+  /** \throws ExceptionObject  no input; shells out of 2 to 64; a density without the last stage Exact; a refinement
+   * without a template */
   void
   VerifyPreconditions() ITKv5_CONST override;
 

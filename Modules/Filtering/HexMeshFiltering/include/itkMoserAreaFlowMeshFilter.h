@@ -30,12 +30,20 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(MoserAreaFlowMeshFilter);
 
+  /** The surface whose areas are to be kept; required. */
   itkSetInputMacro(Surface, TInputMesh);
   itkGetInputMacro(Surface, TInputMesh);
 
+  /** Area ratio rms at which the flow ends: moserhex::MoserAreaFlowOptions::tolerance. */
   itkOptionMacro(Tolerance, double, tolerance);
+
+  /** How often the flow is repeated: moserhex::MoserAreaFlowOptions::maximumPasses. */
   itkOptionMacro(MaximumPasses, int, maximumPasses);
+
+  /** Runge-Kutta steps: moserhex::MoserAreaFlowOptions::stepsPerPass. */
   itkOptionMacro(StepsPerPass, int, stepsPerPass);
+
+  /** What happens where triangles would flip: moserhex::MoserAreaFlowOptions::localBrake. */
   itkOptionMacro(LocalBrake, bool, localBrake);
 
   /** Passes made, area ratio rms reached, and whether the tolerance was met. */

@@ -42,6 +42,7 @@ public:
     this->SetNthInput(2 * (shell - 1) + 1, const_cast<TTriangleMesh *>(sphere));
   }
 
+  /** N: the largest shell given so far. */
   unsigned int
   GetNumberOfShells() const
   {
@@ -52,6 +53,7 @@ protected:
   ShellMeshesToHexMeshFilter() = default;
   ~ShellMeshesToHexMeshFilter() override = default;
 
+  /** \throws ExceptionObject  a shell or its map is missing */
   void
   VerifyPreconditions() ITKv5_CONST override
   {

@@ -34,6 +34,7 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ShellOrderingToShellMeshesFilter);
 
+  /** phi, negative inside [mm]; required. */
   itkSetInputMacro(LevelSet, TImage);
   itkGetInputMacro(LevelSet, TImage);
 
@@ -60,6 +61,7 @@ public:
     }
     this->Modified();
   }
+  /** \copydoc SetNumberOfShells */
   unsigned int
   GetNumberOfShells() const
   {
@@ -81,7 +83,10 @@ public:
     this->Modified();
   }
 
+  /** How fine the shells are: moserhex::ShellSurfaceOptions::trianglesPerQuad. */
   itkOptionMacro(TrianglesPerQuad, double, trianglesPerQuad);
+
+  /** Whether intersections are looked for: moserhex::ShellSurfaceOptions::checkIntersections. */
   itkOptionMacro(CheckIntersections, bool, checkIntersections);
 
   /** The worst numbers of the shells of the last run, and its warnings. */
@@ -95,6 +100,7 @@ protected:
   }
   ~ShellOrderingToShellMeshesFilter() override = default;
 
+  /** \throws ExceptionObject  an input is missing, or Volume was not set */
   void
   VerifyPreconditions() ITKv5_CONST override
   {

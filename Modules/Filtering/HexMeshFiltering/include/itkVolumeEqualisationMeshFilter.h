@@ -40,7 +40,9 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(VolumeEqualisationMeshFilter);
 
-  using LevelSetImageType = Image<double, 3>;
+  using LevelSetImageType = Image<double, 3>; ///< with equal spacings
+
+  /** Signed distance to the organ's surface, negative inside [mm]; required. */
   itkSetInputMacro(LevelSetImage, LevelSetImageType);
   itkGetInputMacro(LevelSetImage, LevelSetImageType);
 
@@ -55,10 +57,13 @@ public:
     m_Options = options;
     this->Modified();
   }
+  /** \copydoc SetOptions */
   itkGetConstReferenceMacro(Options, moserhex::EqualisationOptions);
 
   /** n of the mesh wanted; 0, the default: that of the input. */
   itkOptionMacro(NodesPerSide, int, nodesPerSide);
+
+  /** How near the boundary has to come: moserhex::EqualisationOptions::surfaceTolerance. */
   itkOptionMacro(SurfaceTolerance, double, surfaceTolerance);
 
   /** Give out a mesh that is not exact where NotConvergedError would be thrown. Default false. */

@@ -37,9 +37,13 @@ public:
     m_Options = options;
     this->Modified();
   }
+  /** \copydoc SetOptions */
   itkGetConstReferenceMacro(Options, moserhex::VolumetricMoserFlowOptions);
 
+  /** What nodes on the boundary may do: moserhex::VolumetricMoserFlowOptions::boundary. */
   itkOptionMacro(Boundary, moserhex::BoundaryMotion, boundary);
+
+  /** How often the flow is repeated: moserhex::VolumetricMoserFlowOptions::maximumPasses. */
   itkOptionMacro(MaximumPasses, int, maximumPasses);
 
   /** Puts boundary points back on the organ's surface after they slid. */

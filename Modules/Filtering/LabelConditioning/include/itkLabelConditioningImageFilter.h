@@ -40,10 +40,10 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(LabelConditioningImageFilter);
 
-  using LabelImageType = TLabelImage;
-  using OutputImageType = TOutputImage;
-  using LabelType = typename TLabelImage::PixelType;
-  using ReportType = moserhex::ConditioningReport;
+  using LabelImageType = TLabelImage;                ///< of the input
+  using OutputImageType = TOutputImage;              ///< phi [mm]
+  using LabelType = typename TLabelImage::PixelType; ///< a label's value
+  using ReportType = moserhex::ConditioningReport;   ///< what was changed
 
   static_assert(TLabelImage::ImageDimension == 3 && TOutputImage::ImageDimension == 3, "three-dimensional images only");
 
@@ -96,15 +96,19 @@ protected:
   LabelConditioningImageFilter() = default;
   ~LabelConditioningImageFilter() override = default;
 
+  /** \throws ExceptionObject  no input; Label 0; NodesPerSide < 2; Spacing < 0 */
   void
   VerifyPreconditions() ITKv5_CONST override;
 
+  /** Says that the largest possible region is empty: the grid depends on the pixels. */
   void
   GenerateOutputInformation() override;
 
+  /** The whole input: the label may be anywhere. */
   void
   GenerateInputRequestedRegion() override;
 
+  /** The whole output: it is made in one piece. */
   void
   EnlargeOutputRequestedRegion(DataObject * output) override;
 

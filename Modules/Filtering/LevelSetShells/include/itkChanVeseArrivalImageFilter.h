@@ -32,9 +32,9 @@ public:
   using Superclass = SparseFieldLevelSetImageFilter<TImage, TImage>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-  using ImageType = TImage;
-  using PixelType = typename ImageType::PixelType;
-  using FunctionType = WeightedChanVeseFunction<TImage>;
+  using ImageType = TImage;                              ///< of all inputs and the output
+  using PixelType = typename ImageType::PixelType;       ///< of a level set, real
+  using FunctionType = WeightedChanVeseFunction<TImage>; ///< the equation of motion
   using typename Superclass::TimeStepType;
 
   // The parts of itkNewMacro, which in ITK 5.2 leaves a second semicolon behind.
@@ -67,29 +67,45 @@ public:
   itkSetMacro(StallIterations, unsigned int);
   itkGetConstMacro(StallIterations, unsigned int);
 
+  ///@{
   /** After Update(): whether ReachedFraction was reached, and the part that was. */
   itkGetConstMacro(Converged, bool);
   itkGetConstMacro(PassedFraction, double);
+  ///@}
 
+  ///@{
   /** After Update(): means of beta inside and outside the last front. */
   itkGetConstMacro(MeanInside, double);
   itkGetConstMacro(MeanOutside, double);
+  ///@}
 
 protected:
   ChanVeseArrivalImageFilter();
   ~ChanVeseArrivalImageFilter() override = default;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
+
+  /** \throws ExceptionObject  an input is missing, or an option is out of range */
   void
   VerifyPreconditions() ITKv5_CONST override;
+
+  /** Hands images and options to the function. \throws ExceptionObject  no pixel has beta > 0.5 */
   void
   Initialize() override;
+
+  /** Notes what the last step passed, and takes the means anew. */
   void
   InitializeIteration() override;
+
+  /** Keeps the time step, which times of arrival are interpolated in. */
   TimeStepType
   CalculateChange() override;
+
+  /** Converged, stalled, or NumberOfIterations made. Reports progress. */
   bool
   Halt() override;
+
+  /** Puts the times of arrival in the place of the last level set. */
   void
   PostProcessOutput() override;
 

@@ -45,22 +45,22 @@ NameOf(ShellMethod method)
 /** Options of LevelSetToShellOrderingImageFilter. Lengths are in nodes of the grid. */
 struct ShellOrderingFilterOptions
 {
-  ShellMethod  method{ ShellMethod::ChanVese };
-  int          shells{ 10 };             ///< N >= 1
-  double       curvatureWeight{ 0.1 };   ///< nu, in units of the region force [nodes]
-  double       heavisideWidth{ 1.5 };    ///< epsilon of the regularised Heaviside [nodes]
-  double       seedRadius{ 1.2 };        ///< of the first front [nodes]
+  ShellMethod  method{ ShellMethod::ChanVese }; ///< how the shells are found
+  int          shells{ 10 };                    ///< N >= 1
+  double       curvatureWeight{ 0.1 };          ///< nu, in units of the region force [nodes]
+  double       heavisideWidth{ 1.5 };           ///< epsilon of the regularised Heaviside [nodes]
+  double       seedRadius{ 1.2 };               ///< of the first front [nodes]
   double       reachedFraction{ 0.95 };  ///< coupled front stops here, the rest follows by depth; uncoupled: least [1]
   double       snapshotFraction{ 0.98 }; ///< uncoupled front stops here at the latest [1]
   unsigned int stallIterations{ 30 };    ///< iterations without growth after which a front has stopped [1]
-  moserhex::SnapshotOptions      snapshots;
-  unsigned int                   maximumIterations{ 1500 };
-  moserhex::FrontWeightOptions   weight;
-  moserhex::ShellOrderingOptions ordering;
+  moserhex::SnapshotOptions      snapshots;                 ///< for Snapshots
+  unsigned int                   maximumIterations{ 1500 }; ///< of a Chan-Vese front [1]
+  moserhex::FrontWeightOptions   weight;                    ///< of the coupled methods
+  moserhex::ShellOrderingOptions ordering;                  ///< of the coupled methods
   double                         snapshotSmoothing{
     0.5
   }; ///< sigma of the ordering for Snapshots: more would press touching shells together [nodes]
-  moserhex::EikonalArrivalOptions eikonal;
+  moserhex::EikonalArrivalOptions eikonal; ///< for Eikonal
 };
 
 /** What the filter did. */
@@ -74,8 +74,8 @@ struct ShellOrderingFilterReport
   double                   meanOutside{ 0.0 };     ///< mu_out at the end; 0 for Eikonal
   std::size_t              unreached{ 0 };         ///< nodes ordered by depth because the front did not pass them
   std::size_t              raised{ 0 };            ///< nodes moved back so that every level set is a sphere
-  double                   seconds{ 0.0 };
-  std::vector<std::string> warnings;
+  double                   seconds{ 0.0 };         ///< wall time [s]
+  std::vector<std::string> warnings;               ///< one line each
 };
 
 /** \class LevelSetToShellOrderingImageFilter
@@ -104,8 +104,8 @@ public:
   using Superclass = ImageToImageFilter<TImage, TImage>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-  using ImageType = TImage;
-  using MethodEnum = ShellMethod;
+  using ImageType = TImage;       ///< of input and output
+  using MethodEnum = ShellMethod; ///< how the shells are found
 
   // The parts of itkNewMacro, which in ITK 5.2 leaves a second semicolon behind.
   itkSimpleNewMacro(Self);
@@ -113,18 +113,43 @@ public:
   itkCloneMacro(Self);
   itkOverrideGetNameOfClassMacro(LevelSetToShellOrderingImageFilter);
 
+  /** How the shells are found. */
   itkOptionMacro(Method, ShellMethod, method);
+
+  /** N >= 1. */
   itkOptionMacro(NumberOfShells, int, shells);
+
+  /** ShellOrderingFilterOptions::curvatureWeight. */
   itkOptionMacro(CurvatureWeight, double, curvatureWeight);
+
+  /** ShellOrderingFilterOptions::heavisideWidth. */
   itkOptionMacro(HeavisideWidth, double, heavisideWidth);
+
+  /** ShellOrderingFilterOptions::seedRadius. */
   itkOptionMacro(SeedRadius, double, seedRadius);
+
+  /** ShellOrderingFilterOptions::reachedFraction. */
   itkOptionMacro(ReachedFraction, double, reachedFraction);
+
+  /** ShellOrderingFilterOptions::snapshotFraction. */
   itkOptionMacro(SnapshotFraction, double, snapshotFraction);
+
+  /** moserhex::SnapshotOptions::gap. */
   itkOptionMacro(SnapshotGap, double, snapshots.gap);
+
+  /** ShellOrderingFilterOptions::maximumIterations. */
   itkOptionMacro(MaximumNumberOfIterations, unsigned int, maximumIterations);
+
+  /** moserhex::FrontWeightOptions::depthPower. */
   itkOptionMacro(DepthPower, double, weight.depthPower);
+
+  /** moserhex::FrontWeightOptions::smallestSlope. */
   itkOptionMacro(SmallestSlope, double, weight.smallestSlope);
+
+  /** ShellOrderingFilterOptions::snapshotSmoothing. */
   itkOptionMacro(SnapshotSmoothing, double, snapshotSmoothing);
+
+  /** moserhex::ShellOrderingOptions::smoothing. */
   itkOptionMacro(Smoothing, double, ordering.smoothing);
 
   /** After Update(): volume fraction of each shell, entry k-1 for shell k. */
@@ -134,7 +159,7 @@ public:
     return m_VolumeFractions;
   }
 
-  /** After Update(). */
+  /** After Update(): what was done. */
   const ShellOrderingFilterReport &
   GetReport() const
   {
@@ -146,10 +171,15 @@ protected:
   ~LevelSetToShellOrderingImageFilter() override = default;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
+
+  /** The whole input: a front comes everywhere. */
   void
   GenerateInputRequestedRegion() override;
+
+  /** The whole output: it is made in one piece. */
   void
   EnlargeOutputRequestedRegion(DataObject * output) override;
+
   void
   GenerateData() override;
 

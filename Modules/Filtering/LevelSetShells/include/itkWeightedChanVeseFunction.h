@@ -42,7 +42,7 @@ public:
   using Superclass = LevelSetFunction<TImage>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-  using ImageType = TImage;
+  using ImageType = TImage; ///< of the level set, the feature and the weight
   using typename Superclass::FloatOffsetType;
   using typename Superclass::GlobalDataStruct;
   using typename Superclass::NeighborhoodType;
@@ -77,6 +77,7 @@ public:
     m_HeavisideWidth = width;
   }
 
+  ///@{
   /** Means of beta inside and outside the front. */
   double
   GetMeanInside() const
@@ -88,6 +89,7 @@ public:
   {
     return m_MeanOutside;
   }
+  ///@}
 
   /** H(phi). */
   double
@@ -97,16 +99,19 @@ public:
   void
   UpdateMeans(const ImageType * levelSet);
 
+  /** w [ (beta - mu_out)^2 - (beta - mu_in)^2 ]: positive moves the front outwards. */
   ScalarValueType
   PropagationSpeed(const NeighborhoodType & neighborhood,
                    const FloatOffsetType &  offset,
                    GlobalDataStruct *       globalData) const override;
 
+  /** w F, which ITK multiplies with nu kappa. */
   ScalarValueType
   CurvatureSpeed(const NeighborhoodType & neighborhood,
                  const FloatOffsetType &  offset,
                  GlobalDataStruct *       globalData) const override;
 
+  /** The largest step in which nothing moves by more than 0.45 nodes of propagation or 1/6 of curvature. */
   TimeStepType
   ComputeGlobalTimeStep(void * globalData) const override;
 
