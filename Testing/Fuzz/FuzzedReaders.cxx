@@ -63,7 +63,7 @@ readPointList(const std::string & fileName)
 void
 readCells(const std::string & fileName)
 {
-  (void)readHexCells(fileName);
+  (void)readHexCellsWithArrays(fileName);
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "Annotations.h"
 
+#include "moserhex/HexMeshIO/FileErrors.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +12,10 @@ namespace moserhex::app
 {
 namespace
 {
+
+constexpr double swatchWidth = 26.0;    ///< of colours in the legend [Style::unit]
+constexpr double rowHeight = 32.0;      ///< of words in the legend [Style::unit]
+constexpr double smallestLetters = 0.6; ///< of a title, to the other letters [1]
 
 std::string
 numberText(double number)
@@ -25,30 +31,90 @@ rectangle(double left, double top, double width, double height)
   return { { left, top }, { left + width, top }, { left + width, top + height }, { left, top + height } };
 }
 
-/** A bar of stripes of one colour, and a number at each tick. Pointed ends say that there are values beyond. */
+template <typename TTest>
+bool
+isAny(const std::vector<double> & values, const TTest & test)
+{
+  return std::any_of(
+    values.begin(), values.end(), [&test](double value) { return std::isfinite(value) && test(value); });
+}
+
+/** A patch of a colour and its meaning, in a row of the height. */
 void
-drawScale(Canvas & canvas, const Rectangle & area, const CellColours & colours, const Style & style)
+drawSwatch(Canvas &            canvas,
+           const Point2 &      corner,
+           double              height,
+           const Colour &      colour,
+           const std::string & name,
+           const Style &       style)
+{
+  const double letters = std::min(style.letters(), 0.9 * height);
+  canvas.polygon(rectangle(corner[0], corner[1], swatchWidth * style.unit, 0.8 * height), colour);
+  canvas.text({ corner[0] + (swatchWidth + 10.0) * style.unit, corner[1] + 0.4 * height + 0.36 * letters },
+              name,
+              letters,
+              style.ink,
+              TextAlign::Left);
+}
+
+/** In smaller letters, and if these are too small cut, so that it is no wider than the area. */
+void
+drawTitle(Canvas & canvas, const Rectangle & area, const std::string & title, const Style & style)
+{
+  const double full = canvas.textWidth(title, style.letters());
+  const double letters = style.letters() * std::clamp(area.width / full, smallestLetters, 1.0);
+  std::string  shown = title;
+  for (std::size_t length = title.size(); length > 3 && canvas.textWidth(shown, letters) > area.width; --length)
+  {
+    shown = oneLine(title, length - 1);
+  }
+  canvas.text({ area.left, area.top + style.letters() }, shown, letters, style.ink, TextAlign::Left);
+}
+
+bool
+showsCellWithoutNumber(const CellColours & colours, const std::vector<Panel> & panels)
+{
+  return std::any_of(panels.begin(), panels.end(), [&colours](const Panel & panel) {
+    return std::any_of(panel.facets.begin(), panel.facets.end(), [&colours](const SeenFacet & facet) {
+      return !colours.hasNumber(facet.cell);
+    });
+  });
+}
+
+/** A bar of stripes of one colour, and a number at each tick. Pointed ends say that there are values beyond, a patch
+ * below that the panels show cells without number. */
+void
+drawScale(Canvas &                   canvas,
+          const Rectangle &          area,
+          const CellColours &        colours,
+          const std::vector<Panel> & panels,
+          const Style &              style)
 {
   constexpr int stripes = 100;
-  const double  width = 26.0 * style.unit;
-  const double  height = area.height;
+  const double  width = swatchWidth * style.unit;
+  const double  row = rowHeight * style.unit;
+  double        height = area.height;
+  if (showsCellWithoutNumber(colours, panels))
+  {
+    height -= 2.0 * row;
+    drawSwatch(canvas, { area.left, area.top + area.height - row }, row, noNumberColour, "no number", style);
+  }
   for (int stripe = stripes - 1; stripe >= 0; --stripe) // each down to the bottom: no gap between it and the next
   {
     const double part = (stripe + 1.0) / stripes;
     canvas.polygon(rectangle(area.left, area.top + height * (1.0 - part), width, height * part),
                    colours.scale.at((stripe + 0.5) / stripes));
   }
-  const auto   ends = std::minmax_element(colours.values.begin(), colours.values.end());
   const double rounding = 1e-9 * (colours.high - colours.low);
   const double bottom = area.top + height;
   const double middle = area.left + 0.5 * width;
   const double right = area.left + width;
-  if (*ends.second > colours.high + rounding)
+  if (isAny(colours.values, [&](double value) { return value > colours.high + rounding; }))
   {
     canvas.polygon({ { area.left, area.top }, { middle, area.top - 0.7 * width }, { right, area.top } },
                    colours.scale.at(1.0));
   }
-  if (*ends.first < colours.low - rounding)
+  if (isAny(colours.values, [&](double value) { return value < colours.low - rounding; }))
   {
     canvas.polygon({ { area.left, bottom }, { middle, bottom + 0.7 * width }, { right, bottom } },
                    colours.scale.at(0.0));
@@ -80,19 +146,13 @@ drawClasses(Canvas &                   canvas,
       shown.insert(static_cast<int>(colours.values[facet.cell]));
     }
   }
-  const double step = std::min(area.height / static_cast<double>(shown.size()), 32.0 * style.unit);
-  const double letters = std::min(style.letters(), 0.9 * step);
+  const double step = std::min(area.height / static_cast<double>(shown.size()), rowHeight * style.unit);
   double       top = area.top;
   for (auto one = colours.classes.rbegin(); one != colours.classes.rend(); ++one)
   {
     if (shown.count(one->value) == 1)
     {
-      canvas.polygon(rectangle(area.left, top, 26.0 * style.unit, 0.8 * step), one->colour);
-      canvas.text({ area.left + 36.0 * style.unit, top + 0.4 * step + 0.36 * letters },
-                  one->name,
-                  letters,
-                  style.ink,
-                  TextAlign::Left);
+      drawSwatch(canvas, { area.left, top }, step, one->colour, one->name, style);
       top += step;
     }
   }
@@ -107,12 +167,12 @@ drawLegend(Canvas &                   canvas,
            const std::vector<Panel> & panels,
            const Style &              style)
 {
-  canvas.text({ area.left, area.top + style.letters() }, colours.title, style.letters(), style.ink, TextAlign::Left);
+  drawTitle(canvas, area, colours.title, style);
   const double    above = 2.6 * style.letters();
   const Rectangle rest{ area.left, area.top + above, area.width, area.height - above };
   if (colours.classes.empty())
   {
-    drawScale(canvas, rest, colours, style);
+    drawScale(canvas, rest, colours, panels, style);
   }
   else
   {

@@ -1,5 +1,6 @@
 #include "CellColours.h"
 
+#include "ArrayValues.h"
 #include "CommandErrors.h"
 #include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/HexMeshIO/LabelImageReader.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -18,6 +20,11 @@ namespace
 
 /** Half of the volume's range at least: rounding errors of an exact mesh must not fill the scale [1]. */
 constexpr double smallestVolumeRange = 0.1;
+
+/** Numbers that differ by less than this part of them are the same but for rounding. */
+constexpr double roundingOfEqualNumbers = 1e-9;
+
+constexpr std::size_t longestTitle = 80;
 
 std::vector<double>
 ofEveryCell(const DrawnMesh & mesh, double HexCellQuality::*member)
@@ -116,7 +123,33 @@ byLabel(const DrawnMesh & mesh, const FigureOptions & options)
 }
 
 CellColours
-alongScale(const DrawnMesh & mesh, const std::string & name)
+byArray(const DrawnMesh & mesh, const std::string & name)
+{
+  CellColours colours;
+  colours.title = oneLine(name, longestTitle);
+  colours.values = valuesOfArray(mesh, name);
+  colours.low = std::numeric_limits<double>::max();
+  colours.high = std::numeric_limits<double>::lowest();
+  for (const double value : colours.values)
+  {
+    if (std::isfinite(value))
+    {
+      colours.low = std::min(colours.low, value);
+      colours.high = std::max(colours.high, value);
+    }
+  }
+  const double size = std::max(std::abs(colours.low), std::abs(colours.high));
+  if (colours.high - colours.low <= roundingOfEqualNumbers * size)
+  {
+    const double room = size > 0.0 ? 0.05 * size : 1.0;
+    colours.low -= room;
+    colours.high += room;
+  }
+  return colours;
+}
+
+CellColours
+byQuality(const DrawnMesh & mesh, const std::string & name)
 {
   CellColours colours;
   if (name == "volume")
@@ -172,6 +205,10 @@ requireLatticeFor(const DrawnMesh & mesh, const std::string & what)
 Colour
 CellColours::of(std::size_t cell) const
 {
+  if (!hasNumber(cell))
+  {
+    return noNumberColour;
+  }
   const double value = values[cell];
   for (const ColourClass & one : classes)
   {
@@ -181,6 +218,12 @@ CellColours::of(std::size_t cell) const
     }
   }
   return scale.at((value - low) / (high - low));
+}
+
+bool
+CellColours::hasNumber(std::size_t cell) const
+{
+  return std::isfinite(values[cell]);
 }
 
 CellColours
@@ -199,9 +242,10 @@ colourCells(const DrawnMesh & mesh, const FigureOptions & options)
   {
     throw UsageError("--range needs two numbers, the lower one first");
   }
-  CellColours colours = options.colour == "shell"   ? byShell(mesh)
-                        : options.colour == "label" ? byLabel(mesh, options)
-                                                    : alongScale(mesh, options.colour);
+  CellColours colours = options.colour == "shell"        ? byShell(mesh)
+                        : options.colour == "label"      ? byLabel(mesh, options)
+                        : isFigureColour(options.colour) ? byQuality(mesh, options.colour)
+                                                         : byArray(mesh, options.colour);
   if (!options.range.empty())
   {
     colours.low = options.range[0];

@@ -55,6 +55,34 @@ seen(const TCorners & corners, std::size_t cell, const Camera & camera)
   return facet;
 }
 
+/** What looks at the viewer of a face that is two triangles with the diagonal 0-2: all of it, one triangle or nothing.
+ * So a warped face that is seen from its edge leaves no hole to what is behind it. */
+SeenFacet
+partTowardsViewer(const SeenFacet & face)
+{
+  const auto triangle = [&face](std::size_t second) {
+    SeenFacet                        part{ face };
+    const std::array<std::size_t, 3> corners{ { 0, second, second + 1 } };
+    part.outline.clear();
+    part.nearness.clear();
+    for (const std::size_t corner : corners)
+    {
+      part.outline.push_back(face.outline[corner]);
+      part.nearness.push_back(face.nearness[corner]);
+    }
+    return part;
+  };
+  SeenFacet    before = triangle(1);
+  SeenFacet    behind = triangle(2);
+  const double areaBefore = doubleArea(before.outline);
+  const double areaBehind = doubleArea(behind.outline);
+  if (areaBefore >= 0.0 && areaBehind >= 0.0)
+  {
+    return face;
+  }
+  return areaBefore > areaBehind ? before : behind;
+}
+
 /** Corners in the order of their angle around their mean, as the viewer sees them. */
 void
 sortByAngle(std::vector<Vector3> & corners, const Camera & camera)
@@ -83,7 +111,7 @@ facesSeen(const UnstructuredHexMesh & mesh, const std::vector<std::size_t> & cel
     std::array<Vector3, 4> corners;
     std::transform(
       face.nodes.begin(), face.nodes.end(), corners.begin(), [&mesh](std::size_t node) { return mesh.nodes[node]; });
-    SeenFacet facet = seen(corners, face.cell, camera);
+    SeenFacet facet = partTowardsViewer(seen(corners, face.cell, camera));
     if (doubleArea(facet.outline) > 0.0)
     {
       facet.light = lightOn((corners[2] - corners[0]).cross(corners[3] - corners[1]), camera);

@@ -9,8 +9,9 @@
 namespace moserhex::app
 {
 
-/** The faces of these cells that no other of them shares and that look at the viewer.
- * Light comes from beside the viewer, above and to the left; 1 on faces that look there, 0.7 on those at right angles.
+/** The faces of these cells that no other of them shares and that look at the viewer; of a warped one the half that
+ * does. Light comes from beside the viewer, above and to the left; 1 on faces that look there, 0.7 on those at right
+ * angles.
  */
 [[nodiscard]] std::vector<SeenFacet>
 facesSeen(const UnstructuredHexMesh & mesh, const std::vector<std::size_t> & cells, const Camera & camera);

@@ -257,8 +257,9 @@ writeFigure(const FigureOptions & options)
   requireKept(options.mesh, options.output);
   requireKept(options.labelImage, options.output);
   AtomicFile  file(options.output);
-  HexCellFile read = readHexCells(options.mesh, { options.sandbox });
-  DrawnMesh   mesh{ std::move(read.mesh), {}, options.mesh };
+  const auto  readMesh = isFigureColour(options.colour) ? readHexCells : readHexCellsWithArrays;
+  HexCellFile read = readMesh(options.mesh, { options.sandbox });
+  DrawnMesh   mesh{ std::move(read.mesh), {}, options.mesh, std::move(read.arrays) };
   mesh.lattice = asLattice(mesh.cells);
   const Figure figure = drawFigure(mesh, options);
   file.writeText(figure.bytes);

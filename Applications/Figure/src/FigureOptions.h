@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@ struct FigureOptions
   std::string           mesh;
   std::string           output;                      ///< .png or .svg
   std::string           kind{ "surface" };           ///< one of figureKinds
-  std::string           colour{ "scaled-jacobian" }; ///< one of figureColours
+  std::string           colour{ "scaled-jacobian" }; ///< one of figureColours, or as valuesOfArray
   std::string           labelImage;                  ///< labelmap of colour "label"
   std::vector<int>      shells;                      ///< to show; empty: up to four, from the outermost inwards
   std::string           layout{ "apart" };           ///< one of figureLayouts, of kind "shells"
@@ -33,6 +34,13 @@ struct FigureOptions
 inline const std::vector<std::string> figureKinds{ "surface", "shells", "slice" };
 inline const std::vector<std::string> figureColours{ "scaled-jacobian", "volume", "aspect", "taper", "shell", "label" };
 inline const std::vector<std::string> figureLayouts{ "apart", "nested" };
+
+/** Whether colours are by a measure, for which no array of the file is needed. */
+[[nodiscard]] inline bool
+isFigureColour(const std::string & colour)
+{
+  return std::find(figureColours.begin(), figureColours.end(), colour) != figureColours.end();
+}
 
 inline constexpr int smallestPicture = 200; ///< [pixels]
 inline constexpr int largestPicture = 8000; ///< [pixels]

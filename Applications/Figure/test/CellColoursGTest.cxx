@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace moserhex;
 using namespace moserhex::app;
@@ -127,6 +128,30 @@ TEST(CellColours, LabelsComeFromTheLabelmap)
   EXPECT_EQ(colours.values[0], 0.0);
   EXPECT_EQ(colours.values[2], 2.0);
   EXPECT_TRUE(same(colours.of(2), categoryColour(1)));
+}
+
+TEST(CellColours, ArrayOfTheFileFillsTheScaleAndWhatIsNoNumberIsGrey)
+{
+  DrawnMesh mesh = drawn(slabs());
+  mesh.arrays.ofCells = { { "Stretch", 1, { 1.5, 0.5, 1.0, 1.0, 1.0, 1.0, std::nan(""), 1.0 } },
+                          { "Same", 1, std::vector<double>(8, 2.0) },
+                          { "Zero", 1, std::vector<double>(8, 0.0) } };
+  const CellColours colours = colourCells(mesh, by("Stretch"));
+  EXPECT_EQ(colours.title, "Stretch");
+  EXPECT_EQ(colours.low, 0.5);
+  EXPECT_EQ(colours.high, 1.5);
+  EXPECT_TRUE(colours.hasNumber(5));
+  EXPECT_FALSE(colours.hasNumber(6));
+  EXPECT_TRUE(same(colours.of(0), sequentialScale().at(1.0)));
+  EXPECT_TRUE(same(colours.of(1), sequentialScale().at(0.0)));
+  EXPECT_TRUE(same(colours.of(6), noNumberColour));
+  const CellColours equal = colourCells(mesh, by("Same"));
+  EXPECT_NEAR(equal.low, 1.9, 1e-12);
+  EXPECT_NEAR(equal.high, 2.1, 1e-12);
+  EXPECT_EQ(colourCells(mesh, by("Zero")).high, 1.0);
+  FigureOptions limited = by("Stretch");
+  limited.range = { 0.0, 1.0 };
+  EXPECT_EQ(colourCells(mesh, limited).low, 0.0);
 }
 
 TEST(CellColours, ContradictionsAreRefused)

@@ -54,6 +54,18 @@ allCells(const UnstructuredHexMesh & mesh)
 
 } // namespace
 
+TEST(FacesSeen, HalfOfAWarpedFaceThatLooksAtTheViewerIsThere)
+{
+  HexMesh mesh = analytic::cubeLattice(2);
+  mesh.nodes[3][0] = 1.3; // (1,1,0) comes out beside the front, (1,1,1) goes behind it: the face's mean looks away
+  mesh.nodes[7][0] = 0.5;
+  const UnstructuredHexMesh    cells = unstructured(mesh);
+  const std::vector<SeenFacet> facets = facesSeen(cells, { 0 }, cameraFrom(0.0, 0.0));
+  ASSERT_EQ(facets.size(), 2U);
+  EXPECT_EQ(facets[0].outline.size() + facets[1].outline.size(), 7U);
+  EXPECT_NEAR(areaOf(facets), 1.0 + 0.15, 1e-12);
+}
+
 TEST(Camera, StandsWhereTheAnglesSay)
 {
   EXPECT_LE((cameraFrom(0.0, 0.0).towards - Vector3(0, -1, 0)).norm(), 1e-15) << "anterior";

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace moserhex;
 using namespace moserhex::app;
 
@@ -142,6 +144,25 @@ TEST(Figure, EveryChoiceChangesThePicture)
   EXPECT_TRUE(changed([](FigureOptions & other) { other.title = "prostate"; }));
   EXPECT_TRUE(changed([](FigureOptions & other) { other.background = "none"; }));
   EXPECT_TRUE(changed([](FigureOptions & other) { other.edges = false; }));
+}
+
+TEST(Figure, LegendOfAnArraySaysWhatHasNoNumberAndFitsALongName)
+{
+  const HexMesh cube = analytic::cubeLattice(3);
+  DrawnMesh     mesh = drawn(cube);
+  NamedArray    array{ std::string(60, 'W'), 1, std::vector<double>(8, 1.0) };
+  mesh.arrays.ofCells = { array };
+  FigureOptions wanted = options("surface", "a.svg");
+  wanted.colour = array.name;
+  const std::string whole = drawFigure(mesh, wanted).bytes;
+  EXPECT_EQ(countOf(whole, "fill:rgb(60%,60%,60%)"), 0U);
+  mesh.arrays.ofCells[0].values[7] = std::nan("");
+  const std::string withGap = drawFigure(mesh, wanted).bytes;
+  EXPECT_EQ(countOf(withGap, "fill:rgb(60%,60%,60%)"), 1U); // the legend's; faces are shaded
+  EXPECT_NE(whole, withGap);
+  mesh.arrays.ofCells[0].values[7] = 1.0;
+  mesh.arrays.ofCells[0].values[2] = std::nan(""); // behind, below, on the right: not seen
+  EXPECT_EQ(drawFigure(mesh, wanted).bytes, whole);
 }
 
 TEST(Figure, WhatIsNotThereIsRefused)

@@ -15,8 +15,11 @@ namespace
 void
 addColourOptions(CLI::App & command, FigureOptions & options)
 {
-  command.add_option("--colour", options.colour, "What the cells are coloured by")
-    ->check(CLI::IsMember(figureColours))
+  command
+    .add_option("--colour",
+                options.colour,
+                "What the cells are coloured by: " + CLI::detail::join(figureColours, ", ") +
+                  ", or an array of a .vtu or .vtk file by its name, NAME:K for component K from 0")
     ->capture_default_str();
   command.add_option("--label-image", options.labelImage, "Labelmap of --colour label");
   command

@@ -3,6 +3,7 @@
 
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -26,7 +27,11 @@ protected:
     {
       mesh.nodes.emplace_back(node % 6 + 0.02 * (node / 36), node / 6 % 6, node / 36 * 1.1);
     }
-    writeHexMesh(path("a.vtu"), mesh);
+    HexMeshFields fields;
+    fields.cellArrays = { { "Stretch", 1, std::vector<double>(125, 1.0) } };
+    fields.cellArrays[0].values.back() = std::nan("");
+    fields.pointArrays = { { "Motion", 3, std::vector<double>(648, 0.5) } };
+    writeHexMesh(path("a.vtu"), mesh, fields);
   }
 };
 
@@ -54,6 +59,24 @@ TEST_F(FigureCommand, TwoRunsWriteTheSameBytes)
     ASSERT_EQ(run({ "figure", path("a.vtu"), path("b" + ending), "--kind", "slice" }).exitCode, 0);
     EXPECT_EQ(contentOf(path("a" + ending)), contentOf(path("b" + ending)));
   }
+}
+
+TEST_F(FigureCommand, ColoursByArraysOfTheFile)
+{
+  for (const std::string array : { "Stretch", "Motion", "Motion:2", "Shell", "LatticeIndex:0" })
+  {
+    const Outcome outcome = run({ "figure", path("a.vtu"), path("a.svg"), "--colour", array });
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+    EXPECT_EQ(outcome.out, path("a.svg") + ": 75 polygons\n");
+  }
+  const Outcome refused = run({ "figure", path("a.vtu"), path("b.svg"), "--colour", "Strech" });
+  expectErrorCode(refused, "E_USAGE");
+  for (const char * name : { "Stretch", "Motion", "VolumeRatio", "scaled-jacobian" })
+  {
+    EXPECT_NE(refused.error.find(name), std::string::npos) << refused.error;
+  }
+  expectErrorCode(run({ "figure", path("a.vtu"), path("b.svg"), "--colour", "Motion:3" }), "E_USAGE");
+  EXPECT_EQ(fileCount(), 2U);
 }
 
 TEST_F(FigureCommand, RefusesWithTheExitCodesOfTheOthers)

@@ -110,8 +110,8 @@ rangeOf(const CellField & field)
   const double size = std::max(std::abs(range.low), std::abs(range.high));
   if (range.high - range.low <= std::max(sameBut * size, none))
   {
-    const double room = size > none ? 0.05 * size : 1.0;
-    range = { range.low - room, range.high + room };
+    range = size > none ? CellField::Range{ range.low - 0.05 * size, range.high + 0.05 * size }
+                        : CellField::Range{ 0.0, 1.0 };
   }
   return range;
 }

@@ -34,8 +34,8 @@ struct CellField
 [[nodiscard]] std::vector<CellField>
 cellFieldsOf(const HexMesh & mesh, const std::vector<std::int32_t> & labels);
 
-/** The shown range widened to the values; where these are the same but for rounding, by 5 % of them, or by 1 where they
- * are 0: it is never empty. */
+/** The shown range widened to the values; where these are the same but for rounding, by 5 % of them, or 0 to 1 where
+ * they are 0: it is never empty. */
 [[nodiscard]] CellField::Range
 rangeOf(const CellField & field);
 

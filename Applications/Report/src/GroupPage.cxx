@@ -99,13 +99,14 @@ public:
   LookList(const char * kind, const char * sign) : m_Kind(kind), m_Sign(sign)
   {}
 
+  /** \param page  of the name, empty: none */
   void
-  add(const std::string & name, const std::string & why)
+  add(const std::string & name, const std::string & page, const std::string & why)
   {
     if (++m_Count <= mostNamed)
     {
       m_Html += "<li class=\"" + m_Kind + "\"><span class=\"sign\" aria-hidden=\"true\">" + m_Sign + "</span>" +
-                (name.empty() ? "" : "<strong>" + escapeHtml(name) + "</strong>: ") + escapeHtml(why) + "</li>\n";
+                (name.empty() ? "" : "<strong>" + linked(name, page) + "</strong>: ") + escapeHtml(why) + "</li>\n";
     }
   }
 
@@ -120,6 +121,12 @@ public:
   }
 
 private:
+  static std::string
+  linked(const std::string & name, const std::string & page)
+  {
+    return page.empty() ? escapeHtml(name) : "<a href=\"" + escapeHtml(page) + "\">" + escapeHtml(name) + "</a>";
+  }
+
   std::string m_Kind;
   std::string m_Sign;
   std::string m_Html;
@@ -138,16 +145,16 @@ lookSection(const GroupContent & content, const Outliers & outliers)
     const std::string reasons = reasonsOf(content, outliers, row);
     if (!isDone(of))
     {
-      undone.add(of.name, of.status + (of.code.empty() ? "" : " " + of.code) + ", " + of.message);
+      undone.add(of.name, of.page, of.status + (of.code.empty() ? "" : " " + of.code) + ", " + of.message);
     }
     else if (!reasons.empty())
     {
-      far.add(of.name, reasons);
+      far.add(of.name, of.page, reasons);
     }
   }
   for (const std::string & warning : content.warnings)
   {
-    warnings.add("", warning);
+    warnings.add("", "", warning);
   }
   const std::string list = undone.html() + far.html() + warnings.html();
   if (list.empty())

@@ -18,6 +18,9 @@ constexpr double top = 22.0;     ///< room for the name of the acceptable range
 constexpr double bottom = 26.0;  ///< room for the numbers
 constexpr double side = 14.0;
 
+/** A mean that is less than this part of the largest number is 0 but for rounding. */
+constexpr double roundOff = 1e-12;
+
 std::string
 attribute(const std::string & name, double value)
 {
@@ -136,13 +139,14 @@ std::string
 distributionList(const CellField & field)
 {
   const Distribution all = distributionOf(field.values);
+  const double       rounding = roundOff * std::max(std::abs(all.minimum), std::abs(all.maximum));
   const auto         row = [](const std::string & name, const std::string & value) {
     return "<div><dt>" + name + "</dt><dd>" + value + "</dd></div>";
   };
   std::string list = "<dl class=\"figures\">" + row("smallest", shortNumber(all.minimum)) +
                      row("5 %", shortNumber(all.p05)) + row("median", shortNumber(all.median)) +
-                     row("mean", shortNumber(all.mean)) + row("95 %", shortNumber(all.p95)) +
-                     row("largest", shortNumber(all.maximum));
+                     row("mean", shortNumber(std::abs(all.mean) < rounding ? 0.0 : all.mean)) +
+                     row("95 %", shortNumber(all.p95)) + row("largest", shortNumber(all.maximum));
   if (field.acceptable)
   {
     list += row("acceptable", percentText(acceptablePart(field)) + " of the cells");

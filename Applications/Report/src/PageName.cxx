@@ -32,7 +32,7 @@ requirePagesFor(const std::string & fileName)
     throw InvalidInput(ErrorCode::Usage,
                        fileMessage(fileName,
                                    "this program was built without HTML pages",
-                                   "give a name that ends with .json, or build with MoserHex_BUILD_REPORTS"));
+                                   "leave the page out (a report may be .json), or build with MoserHex_BUILD_REPORTS"));
   }
 }
 

@@ -1,9 +1,10 @@
 #include "SliceFigure.h"
 
-#include "ColourMap.h"
+#include "ColourScale.h"
 #include "HtmlText.h"
 #include "SliceFrame.h"
 
+#include <array>
 #include <cmath>
 
 namespace moserhex::app
@@ -19,6 +20,13 @@ labelClass(std::size_t number)
 {
   static constexpr std::array<const char *, 4> names{ "label-a", "label-b", "label-c", "label-d" };
   return names[number % names.size()];
+}
+
+/** \param part  from the innermost shell to the outermost; its yellow end is too light for lines on white */
+std::string
+shellColour(double part)
+{
+  return cssColour(sequentialScale().at(0.9 * part));
 }
 
 /** Squares of a label, row by row, as a path in squares. */
@@ -88,7 +96,7 @@ meshLines(const HexMesh & mesh, const CutPlane & plane, const PlanePoint & corne
   const double  most = cut.shells.empty() ? 1.0 : std::max(cut.shells.rbegin()->first, 2);
   for (const auto & [shell, lines] : cut.shells)
   {
-    svg += pathElement("class=\"shell\" stroke=\"" + colourOf(0.9 * (shell - 1) / (most - 1)) + "\"",
+    svg += pathElement("class=\"shell\" stroke=\"" + shellColour((shell - 1) / (most - 1)) + "\"",
                        linePath(lines, corner, unit));
   }
   const std::string boundary = linePath(cut.boundary, corner, unit);
@@ -182,10 +190,11 @@ sliceLegend(const SliceContent & content)
   }
   if (content.mesh)
   {
-    list += item("<path class=\"boundary\" d=\"M0 7h28\"/>", "surface of the mesh") +
-            item("<path class=\"shell\" stroke=\"" + colourOf(0.0) + "\" d=\"M0 7h28\"/>", "innermost shell") +
-            item("<path class=\"shell\" stroke=\"" + colourOf(0.9) + "\" d=\"M0 7h28\"/>", "outermost shell inside") +
-            item("<path class=\"inner\" d=\"M0 7h28\"/>", "other faces of cells");
+    list +=
+      item("<path class=\"boundary\" d=\"M0 7h28\"/>", "surface of the mesh") +
+      item("<path class=\"shell\" stroke=\"" + shellColour(0.0) + "\" d=\"M0 7h28\"/>", "innermost shell") +
+      item("<path class=\"shell\" stroke=\"" + shellColour(1.0) + "\" d=\"M0 7h28\"/>", "outermost shell inside") +
+      item("<path class=\"inner\" d=\"M0 7h28\"/>", "other faces of cells");
   }
   return list + "</ul>";
 }

@@ -191,6 +191,19 @@ TEST(Histogram, OfNumbersThatAreTheSameButForRoundingHasAnAxis)
   }
 }
 
+TEST(Histogram, OfZerosHasNoNegativeNumbers)
+{
+  const auto range = rangeOf({ "a", "A", "", { 0.0, 0.0 }, {}, { 0.0, 0.0 } });
+  EXPECT_EQ(range.low, 0.0);
+  EXPECT_EQ(range.high, 1.0);
+}
+
+TEST(Histogram, MeanThatIsNothingButRoundingIsZero)
+{
+  const std::string list = distributionList({ "a", "A", "", { -0.1, -0.2, 0.1 + 0.2 }, {}, { -1.0, 1.0 } });
+  EXPECT_NE(list.find("<dt>mean</dt><dd>0</dd>"), std::string::npos) << list;
+}
+
 TEST(Slices, OfAnImageWithoutTheLabelAreNone)
 {
   const auto image = labelImageOf(boxLabel());

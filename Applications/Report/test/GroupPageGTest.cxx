@@ -76,13 +76,14 @@ TEST(GroupPage, HoldsItsRowsAndNamesWhatToLookAt)
   GroupContent content = groupOf({ 9, 10, 11, 9.5, 1000, 10, 9, std::nan("") });
   content.rows.back().status = "failed";
   content.rows.back().code = "E_THIN";
+  content.rows.back().page = "c7.html";
   const std::string    page = groupPage(content);
   const nlohmann::json data = dataOf(page);
   ASSERT_EQ(data["rows"].size(), 8u);
   EXPECT_EQ(data["rows"][4]["marks"][0], 1);
   EXPECT_TRUE(data["rows"][7]["figures"][0].is_null());
   EXPECT_NE(page.find("<strong>c4</strong>: volume (mL) above the others"), std::string::npos);
-  EXPECT_NE(page.find("<strong>c7</strong>: failed E_THIN"), std::string::npos);
+  EXPECT_NE(page.find("<strong><a href=\"c7.html\">c7</a></strong>: failed E_THIN"), std::string::npos);
   EXPECT_EQ(page, groupPage(content));
 }
 

@@ -1,15 +1,10 @@
 /**
- * From dark violet to yellow with lightness rising evenly; ColourMap.h has the same stops.
+ * Viridis, even steps to the eye; ../../src/ColourScale.cxx has the same stops, which a test compares.
  * @type {number[][]} red, green, blue, 0 to 255
  */
-const stops = [
-  [68, 1, 84],
-  [65, 68, 135],
-  [42, 120, 142],
-  [34, 168, 132],
-  [122, 209, 81],
-  [253, 231, 37],
-];
+export const stops = [
+  0x440154, 0x482475, 0x414487, 0x355f8d, 0x2a788e, 0x21918c, 0x22a884, 0x44bf70, 0x7ad151, 0xbddf26, 0xfde725,
+].map((rgb) => [rgb >> 16, (rgb >> 8) & 255, rgb & 255]);
 
 /**
  * @param {number} part  in [0,1]; what is outside takes the colour of the end

@@ -21,6 +21,11 @@ function make(name, attributes = {}, ...children) {
 const hiddenText = (text) => make("span", { class: "visually-hidden" }, text);
 const sign = (text) => make("span", { "aria-hidden": "true" }, text);
 
+/** A long name breaks behind a mark that separates its words. */
+function breakable(name) {
+  return name.split(/(?<=[_/\\])/).flatMap((part, number) => (number === 0 ? [part] : [make("wbr"), part]));
+}
+
 /** The largest side of an outline of the group, which all pictures share so that sizes compare [mm]. */
 function largestSide(rows) {
   let largest = 1;
@@ -136,8 +141,9 @@ class GroupTable {
   }
 
   rowElement(row) {
-    const name = row.page ? make("a", { href: row.page }, row.name) : row.name;
-    const made = make("tr", {}, make("th", { scope: "row" }, name), statusCell(row));
+    const name = breakable(row.name);
+    const heading = row.page ? [make("a", { href: row.page }, ...name)] : name;
+    const made = make("tr", {}, make("th", { scope: "row" }, ...heading), statusCell(row));
     if (this.hasOutlines) {
       made.prepend(make("td", {}, thumbnail(row, this.side)));
     }

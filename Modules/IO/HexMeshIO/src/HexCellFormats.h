@@ -14,6 +14,9 @@ namespace moserhex
 readVtkCells(const std::string & fileName);
 
 [[nodiscard]] HexCellFile
+readVtkCellsWithArrays(const std::string & fileName);
+
+[[nodiscard]] HexCellFile
 readGmshCells(const std::string & fileName);
 
 [[nodiscard]] HexCellFile

@@ -14,8 +14,13 @@ isHexCellName(const std::string & fileName)
   return endsWithAny(fileName, { ".vtu", ".vtk", ".msh", ".mesh", ".inp" });
 }
 
+namespace
+{
+
+using FormatReader = HexCellFile (*)(const std::string &);
+
 HexCellFile
-readHexCells(const std::string & fileName, const ReadOptions & options)
+readWith(FormatReader readVtk, const std::string & fileName, const ReadOptions & options)
 {
   if (!isHexCellName(fileName))
   {
@@ -35,8 +40,22 @@ readHexCells(const std::string & fileName, const ReadOptions & options)
   {
     return readAbaqusCells(fileName);
   }
-  const auto read = [&fileName] { return readVtkCells(fileName); };
+  const auto read = [&] { return readVtk(fileName); };
   return options.sandbox ? inSandbox(fileName, read, hexCellFileOf) : read();
+}
+
+} // namespace
+
+HexCellFile
+readHexCells(const std::string & fileName, const ReadOptions & options)
+{
+  return readWith(readVtkCells, fileName, options);
+}
+
+HexCellFile
+readHexCellsWithArrays(const std::string & fileName, const ReadOptions & options)
+{
+  return readWith(readVtkCellsWithArrays, fileName, options);
 }
 
 } // namespace moserhex

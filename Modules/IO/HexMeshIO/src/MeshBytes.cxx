@@ -25,6 +25,38 @@ isSound(const TriangleMesh & mesh)
          std::all_of(mesh.triangles.begin(), mesh.triangles.end(), isInRange);
 }
 
+void
+putArrays(ParcelWriter & parcel, const std::vector<NamedArray> & arrays)
+{
+  parcel.put(static_cast<std::uint64_t>(arrays.size()));
+  for (const NamedArray & array : arrays)
+  {
+    parcel.put(array.name);
+    parcel.put(array.components);
+    parcel.put(array.values);
+  }
+}
+
+/** \param count  of cells or nodes \throws std::out_of_range  too short, or an array that does not fit the count */
+std::vector<NamedArray>
+takeArrays(ParcelReader & parcel, std::size_t count)
+{
+  std::vector<NamedArray> arrays;
+  for (auto left = parcel.number<std::uint64_t>(); left > 0; --left)
+  {
+    NamedArray array;
+    array.name = parcel.text();
+    array.components = parcel.number<int>();
+    array.values = parcel.rows<double>();
+    if (array.components < 1 || array.values.size() != count * static_cast<std::size_t>(array.components))
+    {
+      throw std::out_of_range("an array of another length");
+    }
+    arrays.push_back(std::move(array));
+  }
+  return arrays;
+}
+
 [[noreturn]] void
 refuse(const std::string & fileName, const char * what, const char * remedy)
 {
@@ -85,6 +117,8 @@ bytesOf(const HexCellFile & file)
   parcel.put(file.mesh.nodes);
   parcel.put(file.mesh.cells);
   parcel.put(file.warnings);
+  putArrays(parcel, file.arrays.ofCells);
+  putArrays(parcel, file.arrays.ofNodes);
   return parcel.take();
 }
 
@@ -98,6 +132,8 @@ hexCellFileOf(const std::string & fileName, const std::string & bytes)
     file.mesh.nodes = parcel.positions();
     file.mesh.cells = parcel.rows<std::array<std::size_t, 8>>();
     file.warnings = parcel.texts();
+    file.arrays.ofCells = takeArrays(parcel, file.mesh.cells.size());
+    file.arrays.ofNodes = takeArrays(parcel, file.mesh.nodes.size());
     requireValid(file.mesh);
     if (parcel.atEnd())
     {

@@ -58,6 +58,13 @@ public:
     m_Bytes.append(reinterpret_cast<const char *>(rows.data()), rows.size() * sizeof(rows[0]));
   }
 
+  void
+  put(const std::vector<double> & numbers)
+  {
+    put(static_cast<std::uint64_t>(numbers.size()));
+    m_Bytes.append(reinterpret_cast<const char *>(numbers.data()), numbers.size() * sizeof(double));
+  }
+
   [[nodiscard]] std::string
   take()
   {
@@ -109,7 +116,7 @@ public:
   [[nodiscard]] Positions
   positions();
 
-  /** \tparam TRow  std::array of numbers */
+  /** \tparam TRow  a number, or std::array of numbers */
   template <typename TRow>
   [[nodiscard]] std::vector<TRow>
   rows()

@@ -9,11 +9,14 @@
 
 #include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCellType.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
@@ -103,10 +106,8 @@ dimensionOf(int type)
   return cell ? cell->GetCellDimension() : 3;
 }
 
-} // namespace
-
-HexCellFile
-readVtkCells(const std::string & fileName)
+FileGrid
+readGrid(const std::string & fileName)
 {
   FileGrid file;
   if (endsWith(fileName, ".vtu"))
@@ -120,7 +121,12 @@ readVtkCells(const std::string & fileName)
     file = readGridWith<vtkUnstructuredGridReader>(fileName);
   }
   requireConsistent(fileName, *file.grid);
+  return file;
+}
 
+HexCellFile
+meshOf(const FileGrid & file, const std::string & fileName)
+{
   HexCellCollector collector(fileName);
   for (vtkIdType node = 0; node < file.grid->GetNumberOfPoints(); ++node)
   {
@@ -161,6 +167,95 @@ readVtkCells(const std::string & fileName)
   {
     turnRasIntoLps(result.mesh.nodes);
   }
+  return result;
+}
+
+/** Numbers of the grid's hexahedra, and of the points that they use, ascending: the nodes of meshOf. */
+struct KeptNumbers
+{
+  std::vector<vtkIdType> cells;
+  std::vector<vtkIdType> nodes;
+};
+
+KeptNumbers
+keptNumbers(vtkUnstructuredGrid & grid)
+{
+  KeptNumbers       kept;
+  std::vector<char> isUsed(static_cast<std::size_t>(grid.GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    if (grid.GetCellType(cell) == VTK_HEXAHEDRON)
+    {
+      kept.cells.push_back(cell);
+      grid.GetCells()->GetCellAtId(cell, points);
+      for (vtkIdType corner = 0; corner < points->GetNumberOfIds(); ++corner)
+      {
+        isUsed[static_cast<std::size_t>(points->GetId(corner))] = 1;
+      }
+    }
+  }
+  for (std::size_t node = 0; node < isUsed.size(); ++node)
+  {
+    if (isUsed[node] != 0)
+    {
+      kept.nodes.push_back(static_cast<vtkIdType>(node));
+    }
+  }
+  return kept;
+}
+
+/** \param count  of the grid's cells or points \param kept  which of them */
+std::vector<NamedArray>
+arraysOf(vtkFieldData & data, vtkIdType count, const std::vector<vtkIdType> & kept, const std::string & fileName)
+{
+  std::vector<NamedArray> arrays;
+  for (int number = 0; number < data.GetNumberOfArrays(); ++number)
+  {
+    vtkDataArray * const array = data.GetArray(number); // nullptr: of words
+    if (!array || !array->GetName() || array->GetName()[0] == '\0')
+    {
+      continue;
+    }
+    if (array->GetNumberOfTuples() != count)
+    {
+      throw BadInput(ErrorCode::NotHexahedra,
+                     fileName,
+                     "array " + oneLine(array->GetName(), 40) + " is " + std::to_string(array->GetNumberOfTuples()) +
+                       " long and not " + std::to_string(count),
+                     writeAgain);
+    }
+    NamedArray named{ array->GetName(), array->GetNumberOfComponents(), {} };
+    named.values.reserve(kept.size() * static_cast<std::size_t>(named.components));
+    for (const vtkIdType one : kept)
+    {
+      for (int component = 0; component < named.components; ++component)
+      {
+        named.values.push_back(array->GetComponent(one, component));
+      }
+    }
+    arrays.push_back(std::move(named));
+  }
+  return arrays;
+}
+
+} // namespace
+
+HexCellFile
+readVtkCells(const std::string & fileName)
+{
+  return meshOf(readGrid(fileName), fileName);
+}
+
+HexCellFile
+readVtkCellsWithArrays(const std::string & fileName)
+{
+  const FileGrid        file = readGrid(fileName);
+  HexCellFile           result = meshOf(file, fileName);
+  vtkUnstructuredGrid & grid = *file.grid;
+  const KeptNumbers     kept = keptNumbers(grid);
+  result.arrays.ofCells = arraysOf(*grid.GetCellData(), grid.GetNumberOfCells(), kept.cells, fileName);
+  result.arrays.ofNodes = arraysOf(*grid.GetPointData(), grid.GetNumberOfPoints(), kept.nodes, fileName);
   return result;
 }
 

@@ -245,6 +245,42 @@ TEST(HexCellReader, LegacyFileInRasIsTurnedIntoLps)
   EXPECT_DOUBLE_EQ(hexVolume(cellCorners(file.mesh, 0)), 1.0);
 }
 
+TEST(HexCellReader, ArraysAreThoseOfTheHexahedraAndTheirNodes)
+{
+  const TestFolder  folder;
+  const std::string text = replaced(replaced(replaced(cubeVtk, "POINTS 8 double\n", "POINTS 9 double\n9 9 9 "),
+                                             "CELLS 1 9\n8 0 1 2 3 4 5 6 7\n",
+                                             "CELLS 2 12\n2 0 1\n8 1 2 3 4 5 6 7 8\n"),
+                                    "CELL_TYPES 1\n",
+                                    "CELL_TYPES 2\n3\n");
+  writeBytes(folder / "a.vtk",
+             text + "CELL_DATA 2\nSCALARS Shell int 1\nLOOKUP_TABLE default\n7 8\n"
+                    "POINT_DATA 9\nVECTORS Motion double\n0 0 0 1 1 1 2 2 2 3 3 3 4 4 4 5 5 5 6 6 6 7 7 7 8 8 9\n");
+  for (const bool sandbox : { true, false })
+  {
+    const HexCellArrays arrays = readHexCellsWithArrays(folder / "a.vtk", { sandbox }).arrays;
+    ASSERT_EQ(arrays.ofCells.size(), 1U);
+    EXPECT_EQ(arrays.ofCells[0].name, "Shell");
+    EXPECT_EQ(arrays.ofCells[0].values, std::vector<double>({ 8.0 }));
+    ASSERT_EQ(arrays.ofNodes.size(), 1U);
+    EXPECT_EQ(arrays.ofNodes[0].components, 3);
+    ASSERT_EQ(arrays.ofNodes[0].values.size(), 24U);
+    EXPECT_EQ(arrays.ofNodes[0].values[0], 1.0);
+    EXPECT_EQ(arrays.ofNodes[0].values[22], 8.0);
+    EXPECT_EQ(arrays.ofNodes[0].values[23], 9.0);
+    EXPECT_TRUE(readHexCells(folder / "a.vtk", { sandbox }).arrays.ofCells.empty());
+  }
+}
+
+TEST(HexCellReader, ArrayOfAnotherLengthIsRefusedWhereArraysAreRead)
+{
+  const TestFolder folder;
+  writeBytes(folder / "a.vtk", std::string(cubeVtk) + "CELL_DATA 1\nFIELD FieldData 1\nLong 1 3 double\n1 2 3\n");
+  EXPECT_EQ(readHexCells(folder / "a.vtk").mesh.cells.size(), 1U);
+  EXPECT_TRUE(contains(messageOf<BadInput>([&] { (void)readHexCellsWithArrays(folder / "a.vtk"); }),
+                       "array Long is 3 long and not 1"));
+}
+
 TEST(HexCellReader, OtherVolumeCellsAreRefusedByNameAndCount)
 {
   EXPECT_TRUE(contains(refusalOf("a.inp", std::string(cubeInp) + "*ELEMENT, TYPE=C3D4\n2, 1, 2, 3, 5\n3, 1, 2, 3, 6\n"),

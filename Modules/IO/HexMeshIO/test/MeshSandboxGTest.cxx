@@ -36,7 +36,9 @@ forksOf(const std::function<void()> & call)
 HexCellFile
 hexahedra()
 {
-  return { unstructured(cubeLattice(3)), { "a warning", "another" } };
+  const HexCellArrays arrays{ { { "OfCells", 2, std::vector<double>(16, 1.5) } },
+                              { { "OfNodes", 1, std::vector<double>(27, -2.0) } } };
+  return { unstructured(cubeLattice(3)), { "a warning", "another" }, arrays };
 }
 
 ErrorCode
@@ -73,6 +75,12 @@ TEST(MeshBytes, HexahedraGoThroughUnchanged)
   EXPECT_EQ(copy.mesh.nodes, file.mesh.nodes);
   EXPECT_EQ(copy.mesh.cells, file.mesh.cells);
   EXPECT_EQ(copy.warnings, file.warnings);
+  ASSERT_EQ(copy.arrays.ofCells.size(), 1U);
+  EXPECT_EQ(copy.arrays.ofCells[0].name, "OfCells");
+  EXPECT_EQ(copy.arrays.ofCells[0].components, 2);
+  EXPECT_EQ(copy.arrays.ofCells[0].values, file.arrays.ofCells[0].values);
+  ASSERT_EQ(copy.arrays.ofNodes.size(), 1U);
+  EXPECT_EQ(copy.arrays.ofNodes[0].values, file.arrays.ofNodes[0].values);
 }
 
 TEST(MeshBytes, BytesThatAreNoWholeMeshAreRefused)
@@ -95,6 +103,13 @@ TEST(MeshBytes, MeshThatIsNotValidIsRefused)
   outOfRange.mesh.cells[2][1] = 27;
   EXPECT_EQ(codeOfBytes(bytesOf(outOfRange)), ErrorCode::ReaderFailed);
   EXPECT_EQ(codeOfBytes(bytesOf(HexCellFile())), ErrorCode::ReaderFailed);
+  HexCellFile tooLong = hexahedra();
+  tooLong.arrays.ofCells[0].values.push_back(0.0);
+  EXPECT_EQ(codeOfBytes(bytesOf(tooLong)), ErrorCode::ReaderFailed);
+  HexCellFile ofNoComponent = hexahedra();
+  ofNoComponent.arrays.ofNodes[0].components = 0;
+  ofNoComponent.arrays.ofNodes[0].values.clear();
+  EXPECT_EQ(codeOfBytes(bytesOf(ofNoComponent)), ErrorCode::ReaderFailed);
 }
 
 TEST(MeshSandbox, DeathOfVtksReaderIsItsFailureAndNoMore)

@@ -2,6 +2,7 @@
 
 #include "moserhex/Geometry/UnstructuredHexMesh.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/HexMeshIO/NamedArray.h"
 #include "moserhex/HexMeshIO/ReadOptions.h"
 
 #include <string>
@@ -10,11 +11,19 @@
 namespace moserhex
 {
 
+/** Numbers that a mesh file holds, in the file's order and units, of any number of components. */
+struct HexCellArrays
+{
+  std::vector<NamedArray> ofCells; ///< of the mesh's cells
+  std::vector<NamedArray> ofNodes; ///< of the mesh's nodes
+};
+
 /** Hexahedra of a file, of any connectivity. */
 struct HexCellFile
 {
   UnstructuredHexMesh      mesh;     ///< nodes in the file's order, those of no hexahedron left out [mm]
   std::vector<std::string> warnings; ///< what was ignored, one line each
+  HexCellArrays            arrays{}; ///< of readHexCellsWithArrays only
 };
 
 /** Whether the name ends like a mesh this reader takes: .vtu .vtk .msh .mesh .inp (any case). */
@@ -40,5 +49,12 @@ isHexCellName(const std::string & fileName);
  * (ReaderFailed) \throws IOError   the file cannot be opened or read */
 [[nodiscard]] HexCellFile
 readHexCells(const std::string & fileName, const ReadOptions & options = {});
+
+/** The same, with the numbers at cells and points of .vtu and .vtk files; of other formats there are none. Arrays
+ * without name and of words are left out. Vectors of a file with SPACE=RAS are not turned: which of them are places or
+ * directions it does not say.
+ * \throws as readHexCells; BadInput (NotHexahedra)  an array is not as long as the cells or points are many */
+[[nodiscard]] HexCellFile
+readHexCellsWithArrays(const std::string & fileName, const ReadOptions & options = {});
 
 } // namespace moserhex

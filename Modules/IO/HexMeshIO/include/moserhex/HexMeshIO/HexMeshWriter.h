@@ -2,6 +2,7 @@
 
 #include "moserhex/Geometry/HexMesh.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
+#include "moserhex/HexMeshIO/NamedArray.h"
 
 #include <cstdint>
 #include <string>
@@ -9,14 +10,6 @@
 
 namespace moserhex
 {
-
-/** An array under a name of its own. */
-struct NamedArray
-{
-  std::string         name;            ///< not that of another array, ours (LatticeIndex, ...) among them
-  int                 components{ 1 }; ///< 1, 3 (vector), 6 (symmetric tensor xx yy zz xy yz xz) or 9 (tensor by rows)
-  std::vector<double> values;          ///< components x nodes, cells or 1, those of one together; NaN: no value
-};
 
 /** What is written beside the mesh. LatticeIndex (node), Shell and VolumeRatio (cell) are always there. */
 struct HexMeshFields
