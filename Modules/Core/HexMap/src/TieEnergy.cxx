@@ -37,10 +37,11 @@ TieEnergy::add(const LatticeLayout &   layout,
                unsigned int            threads,
                Eigen::VectorXd &       gradient) const
 {
-  double energy = 0.0;
-  if (m_Reference.size() > 0 && m_Ties.referenceWeight > 0.0)
+  double                    energy = 0.0;
+  const DisplacementWeights reference{ m_Ties.referenceWeight, m_Ties.boundaryWeight };
+  if (m_Reference.size() > 0 && (reference.bending > 0.0 || reference.boundary > 0.0))
   {
-    energy += addDisplacementEnergy(layout, x, m_Reference, m_Ties.referenceWeight, threads, gradient);
+    energy += addDisplacementEnergy(layout, x, m_Reference, reference, threads, gradient);
   }
   if (!m_Ties.landmarks.empty() && m_Ties.landmarkWeight > 0.0)
   {

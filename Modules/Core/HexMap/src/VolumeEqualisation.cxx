@@ -59,7 +59,8 @@ requireTies(const LatticeTies & ties, const HexMesh & start)
 {
   require(ties.reference.empty() || ties.reference.size() == start.nodes.size(),
           "a reference must have as many nodes as the start");
-  require(ties.referenceWeight >= 0.0 && ties.landmarkWeight >= 0.0 && ties.imageWeight >= 0.0,
+  require(ties.referenceWeight >= 0.0 && ties.boundaryWeight >= 0.0 && ties.landmarkWeight >= 0.0 &&
+            ties.imageWeight >= 0.0,
           "the weights of ties must not be negative");
   require(!ties.image || ties.image->values.size() == latticeSamplesPerCell * start.latticeCellCount(),
           "an image must have a value wanted at every sample of the lattice");
@@ -71,6 +72,13 @@ requireTies(const LatticeTies & ties, const HexMesh & start)
             "a landmark lies on a node that does not exist");
     require(landmark.position.allFinite(), "a landmark belongs at a point that is not finite");
   }
+}
+
+/** Ties that an exact start may not have followed yet. */
+bool
+draws(const LatticeTies & ties, const HexMesh & start)
+{
+  return !ties.landmarks.empty() || ties.image || (!ties.reference.empty() && ties.reference != start.nodes);
 }
 
 /** Smaller is better. */
@@ -177,7 +185,7 @@ equaliseMeasures(const HexMesh &             start,
     }
     result.steps = std::move(other.steps);
   };
-  const bool isDrawn = !options.ties.landmarks.empty() || options.ties.image.has_value();
+  const bool isDrawn = draws(options.ties, start);
   if (isDrawn)
   {
     result = equalisedDirectly(start, problem, progress);

@@ -15,11 +15,11 @@ namespace
 constexpr int n = 6;
 
 LatticeEnergy
-displacementEnergy(const HexMesh & reference, double weight, unsigned int threads = 1)
+displacementEnergy(const HexMesh & reference, const DisplacementWeights & weights, unsigned int threads = 1)
 {
   const LatticeLayout layout(n);
   return [=, at = vectorOf(reference)](const VectorXd & x, VectorXd & gradient) {
-    return addDisplacementEnergy(layout, x, at, weight, threads, gradient);
+    return addDisplacementEnergy(layout, x, at, weights, threads, gradient);
   };
 }
 
@@ -28,7 +28,7 @@ displacementEnergy(const HexMesh & reference, double weight, unsigned int thread
 TEST(DisplacementEnergy, IsThatOfItsEdges)
 {
   HexMesh             moved = unitCells(n, 0.2, 1);
-  const LatticeEnergy energy = displacementEnergy(moved, 3.0);
+  const LatticeEnergy energy = displacementEnergy(moved, { 3.0, 0.0 });
   for (Vector3 & node : moved.nodes)
   {
     node += Vector3(1.0, -2.0, 0.5);
@@ -38,6 +38,17 @@ TEST(DisplacementEnergy, IsThatOfItsEdges)
   EXPECT_NEAR(valueAt(energy, vectorOf(moved)), 0.5 * 3.0 * 6 * 0.25, 1e-12); // six edges, |u|^2 = 1/4
   moved.nodes[moved.nodeNumber(0, 0, 0)] += Vector3(0.0, 0.5, 0.0);
   EXPECT_NEAR(valueAt(energy, vectorOf(moved)), 0.5 * 3.0 * 9 * 0.25, 1e-12); // and three at a corner
+}
+
+TEST(DisplacementEnergy, OnlyNodesOfTheBoundaryAreDrawnToTheirPlaces)
+{
+  HexMesh             moved = unitCells(n, 0.2, 1);
+  const LatticeEnergy energy = displacementEnergy(moved, { 0.0, 3.0 });
+  for (Vector3 & node : moved.nodes)
+  {
+    node += Vector3(0.3, 0.0, 0.4);
+  }
+  EXPECT_NEAR(valueAt(energy, vectorOf(moved)), 0.5 * 3.0 * (n * n * n - (n - 2) * (n - 2) * (n - 2)) * 0.25, 1e-12);
 }
 
 TEST(DisplacementEnergy, StretchingCostsTheSameInEveryEdgeAlongIt)
@@ -54,18 +65,21 @@ TEST(DisplacementEnergy, StretchingCostsTheSameInEveryEdgeAlongIt)
       }
     }
   }
-  EXPECT_NEAR(valueAt(displacementEnergy(reference, 1.0), vectorOf(stretched)), 0.5 * (n - 1) * n * n * 0.01, 1e-12);
+  EXPECT_NEAR(
+    valueAt(displacementEnergy(reference, { 1.0, 0.0 }), vectorOf(stretched)), 0.5 * (n - 1) * n * n * 0.01, 1e-12);
 }
 
 TEST(DisplacementEnergy, GradientHasTaylorRemainderOfSecondOrder)
 {
-  EXPECT_NEAR(taylorOrder(displacementEnergy(unitCells(n, 0.0, 1), 2.0), unitCells(n, 0.5, 2), 0.1), 2.0, 0.1);
+  EXPECT_NEAR(taylorOrder(displacementEnergy(unitCells(n, 0.0, 1), { 2.0, 3.0 }), unitCells(n, 0.5, 2), 0.1), 2.0, 0.1);
 }
 
 TEST(DisplacementEnergy, IsTheSameForAnyNumberOfThreads)
 {
   const VectorXd x = vectorOf(unitCells(n, 0.5, 2));
   const HexMesh  reference = unitCells(n, 0.0, 1);
-  EXPECT_EQ(valueAt(displacementEnergy(reference, 1.0, 1), x), valueAt(displacementEnergy(reference, 1.0, 3), x));
-  EXPECT_EQ(gradientAt(displacementEnergy(reference, 1.0, 1), x), gradientAt(displacementEnergy(reference, 1.0, 3), x));
+  EXPECT_EQ(valueAt(displacementEnergy(reference, { 1.0, 2.0 }, 1), x),
+            valueAt(displacementEnergy(reference, { 1.0, 2.0 }, 3), x));
+  EXPECT_EQ(gradientAt(displacementEnergy(reference, { 1.0, 2.0 }, 1), x),
+            gradientAt(displacementEnergy(reference, { 1.0, 2.0 }, 3), x));
 }

@@ -39,6 +39,7 @@ latticeSamples(const HexMesh & mesh);
  * lengths in edges of a mean cell:
  *
  *   w_r / 2 sum over edges (a, b) of |u_a - u_b|^2,         u = x - reference       (DisplacementEnergy.h)
+ *   w_b / 2 sum over boundary nodes of |u_a|^2
  *   w_l / 2 sum over landmarks of |sum_a w_a x_a - p|^2                             (LandmarkEnergy.h)
  *   w_i / 2 mean over a cell's samples, sum over cells, of (I(x) - value)^2         (ImageEnergy.h)
  */
@@ -46,6 +47,7 @@ struct LatticeTies
 {
   Positions                    reference;              ///< n^3 [mm]; empty: no such term
   double                       referenceWeight{ 1.0 }; ///< w_r [1]
+  double                       boundaryWeight{ 0.0 };  ///< w_b [1]
   std::vector<LatticeLandmark> landmarks;              ///< drawn to their positions; empty: no such term
   double                       landmarkWeight{ 50.0 }; ///< w_l [1]
   std::optional<LatticeImage>  image;                  ///< compared with its values; empty: no such term

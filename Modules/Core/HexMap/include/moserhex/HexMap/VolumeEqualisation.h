@@ -55,7 +55,7 @@ struct EqualisationOptions
   double coverageTolerance{ 1.0 };
 
   /** What ties the mesh to another one. With any, the start has the size wanted and no padding, is not taken back to a
-   * coarse lattice; landmarks and images draw it towards them even where it is exact already. */
+   * coarse lattice; ties draw it even where it is exact already, unless it is the reference itself. */
   LatticeTies ties;
 
   EqualMeasureOptions projection;   ///< its thread count is replaced by `threads`
@@ -120,7 +120,7 @@ tangledCells(int nodesPerSide);
  * cell gets the same part, > 0 [unit of the measure] \throws InvalidInput  no n^3 finite nodes; a volume, total or
  * option out of range; no closed surface at the start \throws Cancelled     by the callback \note Never throws for a
  * mesh that is not exact: `exact` and `shortcomings` say so. A start that is exact already is returned as it is, unless
- * there are landmarks or an image. Deterministic for any number of threads. */
+ * ties draw it: landmarks, an image, or a reference with other nodes. Deterministic for any number of threads. */
 [[nodiscard]] EqualisationResult
 equaliseMeasures(const HexMesh &             start,
                  const SignedDistance &      phi,
