@@ -1,8 +1,8 @@
 #include "ExactStage.h"
 
+#include "CellMasses.h"
 #include "FrameSearch.h"
 #include "moserhex/Common/Errors.h"
-#include "moserhex/HexMap/MassMeasure.h"
 #include "moserhex/HexMap/Padding.h"
 
 #include <algorithm>
@@ -61,22 +61,12 @@ equaliseMasses(const ExactStage &          stage,
                SolidMeshingResult &        result,
                const ProgressCallback &    progress)
 {
-  const SolidMeshingOptions & options = stage.options;
-  const MeshedSolid           solid(stage, result);
-  const MassQuadrature        rule =
-    chooseMassQuadrature(result.mesh, *options.density, options.densityAccuracy, options.threads);
-  const MassMeasure measure(*options.density, rule.options);
-  keep(equaliseMeasures(result.mesh, solid.distance(), stage.volume, measure, stage.volume, equalisation, progress),
+  const MeshedSolid solid(stage, result);
+  const CellMasses  masses(stage.options, result.mesh);
+  keep(equaliseMeasures(
+         result.mesh, solid.distance(), stage.volume, masses.measure(), stage.volume, equalisation, progress),
        result);
-  result.mass = MassReport{ measureEquality(result.mesh, measure, options.threads).variance,
-                            measure.estimateError(result.mesh, options.threads) };
-  if (result.mass->quadratureError > options.densityAccuracy)
-  {
-    std::ostringstream text;
-    text << "masses are integrated to " << result.mass->quadratureError << " of the mean mass only, wanted "
-         << options.densityAccuracy << ": the density is rougher than the cells";
-    result.warnings.push_back(text.str());
-  }
+  masses.report(result);
 }
 
 [[noreturn]] void

@@ -1,6 +1,8 @@
 #include "BoundaryProjection.h"
+#include "CellMasses.h"
 #include "ExactStage.h"
 #include "FrameSearch.h"
+#include "ReferenceTie.h"
 #include "StageLog.h"
 #include "TemplateRefiner.h"
 #include "moserhex/Common/Errors.h"
@@ -11,14 +13,12 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace moserhex
 {
 namespace
 {
-
-/** Of the reference, from one that hardly lets the template bend to one that hardly holds it [1]. */
-constexpr std::array<double, 4> referenceWeights{ { 10.0, 2.0, 0.5, 0.1 } };
 
 /** While landmarks and images draw. */
 constexpr double refinementReferenceWeight = 0.1;
@@ -47,7 +47,8 @@ requireUsable(const SolidMeshingOptions & options)
   require(!options.templateNodes || options.templateNodes->size() == options.templateMesh->nodes.size(),
           "there are not as many nodes in the solid's space as it has");
   require(options.lastStage == MeshingStage::Exact, "it needs the last stage Exact");
-  require(options.density == nullptr, "a mesh that is tied to one has equal volumes, not masses");
+  require(options.density == nullptr || !options.refinement.any(),
+          "landmarks and images refine equal volumes, not masses");
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
 }
 
@@ -101,14 +102,19 @@ public:
     align();
     reportProgress(progress, afterAlignment);
     const bool isRefined = m_Options.refinement.any();
-    tie(progressBetween(progress, afterAlignment, isRefined ? afterTying : 1.0));
+    const bool hasDensity = m_Options.density != nullptr;
+    tie(progressBetween(progress, afterAlignment, isRefined || hasDensity ? afterTying : 1.0));
     if (isRefined)
     {
       refine(progressBetween(progress, afterTying, 1.0));
     }
-    const TriangleMesh       surface = marchingTetrahedra(m_Phi, 0.0);
+    if (hasDensity)
+    {
+      equaliseMasses(progressBetween(progress, afterTying, 1.0));
+    }
+    const TriangleMesh       surface = marchingTetrahedra(m_Result.simplerSolid ? *m_Result.simplerSolid : m_Phi, 0.0);
     const ClosestPointSearch search(surface);
-    m_Result.boundary = boundaryDistance(m_Result.mesh, nearestPointOn(search, m_PhiAt, 0.0));
+    m_Result.boundary = boundaryDistance(m_Result.mesh, nearestPointOn(search, phiAt(), 0.0));
     requireExact(m_Options, m_Result);
     reportProgress(progress, 1.0);
     return std::move(m_Result);
@@ -150,29 +156,73 @@ private:
   void
   tie(const ProgressCallback & progress)
   {
-    EqualisationOptions options = equalisationOptions(m_Options);
-    options.ties.reference = m_Reference.nodes;
-    std::optional<EqualisationResult> best;
-    for (std::size_t w = 0; w < referenceWeights.size() && !(best && best->exact); ++w)
-    {
-      options.ties.referenceWeight = referenceWeights[w];
-      EqualisationResult tied = equaliseVolumes(
-        m_Reference, signedDistance(m_PhiAt), m_Volume, options, progressOfPart(progress, w, referenceWeights.size()));
-      std::ostringstream attempt;
-      attempt << "weight " << options.ties.referenceWeight << ": " << (tied.exact ? "exact" : "not exact");
-      m_Result.attempts.push_back(attempt.str());
-      if (!best || isBetter(tied, *best))
-      {
-        best = std::move(tied);
-      }
-    }
-    take(std::move(*best));
+    const VolumeMeasure       volumes;
+    const EqualisationOptions options = equalisationOptions(m_Options);
+    const bool                hasOther = static_cast<bool>(m_Options.ownMesh);
+    ReferenceTie              tie(m_Reference.nodes, m_Volume, volumes, options);
+    EqualisationResult        tied =
+      tie.tied(m_Reference, signedDistance(m_PhiAt), progressBetween(progress, 0.0, hasOther ? 0.5 : 1.0));
     std::string note;
-    for (const std::string & attempt : m_Result.attempts)
+    if (!tied.exact && hasOther)
     {
-      note += (note.empty() ? "" : "; ") + attempt;
+      note = drawOwnMesh(tie, tied, progressBetween(progress, 0.5, 1.0));
     }
-    m_Log.add("exact", m_Result.mesh, note);
+    take("exact", std::move(tied), note, tie.attempts());
+  }
+
+  /** Replaces a tied mesh that is not exact. \return what was done, for the report */
+  std::string
+  drawOwnMesh(ReferenceTie & tie, EqualisationResult & tied, const ProgressCallback & progress)
+  {
+    std::optional<OwnMesh> own = m_Options.ownMesh();
+    if (!own)
+    {
+      return "";
+    }
+    std::optional<CubicInterpolator> simpler;
+    if (own->simplerSolid)
+    {
+      simpler.emplace(*own->simplerSolid);
+    }
+    std::optional<EqualisationResult> drawn =
+      tie.drawn(own->mesh, signedDistance(simpler ? *simpler : m_PhiAt), progress);
+    if (!drawn)
+    {
+      return "";
+    }
+    tied = *std::move(drawn);
+    if (simpler)
+    {
+      m_Result.simplerSolid = std::move(own->simplerSolid);
+      m_SimplerAt.emplace(*m_Result.simplerSolid);
+    }
+    return "from the solid's own mesh; ";
+  }
+
+  void
+  equaliseMasses(const ProgressCallback & progress)
+  {
+    const CellMasses          masses(m_Options, m_Result.mesh);
+    const EqualisationOptions options = equalisationOptions(m_Options);
+    ReferenceTie              tie(m_Reference.nodes, m_Volume, masses.measure(), options);
+    take("masses", tie.tied(m_Result.mesh, signedDistance(phiAt()), progress), "", tie.attempts());
+    masses.report(m_Result);
+  }
+
+  void
+  take(const std::string &              stage,
+       EqualisationResult &&            tied,
+       std::string                      note,
+       const std::vector<std::string> & attempts)
+  {
+    take(std::move(tied));
+    std::string separator;
+    for (const std::string & attempt : attempts)
+    {
+      note += std::exchange(separator, "; ") + attempt;
+    }
+    m_Result.attempts.insert(m_Result.attempts.end(), attempts.begin(), attempts.end());
+    m_Log.add(stage, m_Result.mesh, note);
   }
 
   /** One equalisation a scale and, where that is not exact, with weaker ties. */
@@ -225,7 +275,7 @@ private:
       options.ties.landmarkWeight = refinementParts[part] * full.landmarkWeight;
       options.ties.imageWeight = refinementParts[part] * full.imageWeight;
       EqualisationResult refined = equaliseVolumes(m_Result.mesh,
-                                                   signedDistance(m_PhiAt),
+                                                   signedDistance(phiAt()),
                                                    m_Volume,
                                                    options,
                                                    progressOfPart(progress, part, refinementParts.size()));
@@ -264,13 +314,21 @@ private:
     m_Result.equalisation = std::move(equalised);
   }
 
-  const LevelSet &            m_Phi;
-  CubicInterpolator           m_PhiAt;
-  double                      m_Volume;
-  const SolidMeshingOptions & m_Options;
-  HexMesh                     m_Reference; ///< the template at the solid
-  SolidMeshingResult          m_Result;
-  StageLog                    m_Log;
+  /** Of the solid that is meshed. */
+  [[nodiscard]] const CubicInterpolator &
+  phiAt() const
+  {
+    return m_SimplerAt ? *m_SimplerAt : m_PhiAt;
+  }
+
+  const LevelSet &                 m_Phi;
+  CubicInterpolator                m_PhiAt;
+  double                           m_Volume;
+  const SolidMeshingOptions &      m_Options;
+  HexMesh                          m_Reference; ///< the template at the solid
+  SolidMeshingResult               m_Result;
+  std::optional<CubicInterpolator> m_SimplerAt; ///< of m_Result.simplerSolid
+  StageLog                         m_Log;
 };
 
 } // namespace

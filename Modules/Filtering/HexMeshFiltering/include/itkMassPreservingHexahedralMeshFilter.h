@@ -273,6 +273,10 @@ private:
   std::optional<moserhex::LevelSet>
   SimplerSolid(const moserhex::LabelVolume & label, moserhex::Simplification simplification);
 
+  /** With its threads and its density. */
+  moserhex::SolidMeshingOptions
+  OptionsOfRun();
+
   moserhex::SolidMeshingOptions
   OptionsWithSimplerSolid(const moserhex::LabelVolume & label); // keeps a reference to the label
 
@@ -285,9 +289,14 @@ private:
   moserhex::SolidMeshingResult
   MeshFromBestShells(const moserhex::SolidMeshingOptions & options, const moserhex::LevelSet & phi);
 
+  /** Made without the template, by volumes and in its own frame, of a simpler solid where that is needed; nothing where
+   * that is not exact. */
+  std::optional<moserhex::OwnMesh>
+  OwnMesh(const moserhex::LevelSet & phi, const moserhex::LabelVolume & label);
+
   /** Tied to the template. */
   moserhex::SolidMeshingResult
-  MeshOnTemplate(const moserhex::LevelSet & phi);
+  MeshOnTemplate(const moserhex::LevelSet & phi, const moserhex::LabelVolume & label);
 
   void
   PutDensityOnLabel(const moserhex::LabelVolume & label);

@@ -74,9 +74,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFrom(moserhex::Solid
   orderingStage.seconds += this->RunStage(ordering.GetPointer(), afterConditioning, afterOrdering);
   orderingStage.note = orderingStage.note.empty() ? NameOf(method) : NameOf(method) + (", " + orderingStage.note);
 
-  options.threads = this->GetNumberOfWorkUnits();
   options.volumeFractions = ordering->GetVolumeFractions();
-  options.density = m_LabelDensity ? &m_LabelDensity->density : options.density;
   const moserhex::LevelSet     order = LevelSetFromImage(ordering->GetOutput());
   moserhex::SolidMeshingResult meshed = RunCoreAlgorithm(
     this,
@@ -123,9 +121,19 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::SimplerSolid(const moser
 
 template <typename TLabelImage, typename TMesh>
 moserhex::SolidMeshingOptions
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsWithSimplerSolid(const moserhex::LabelVolume & label)
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsOfRun()
 {
   moserhex::SolidMeshingOptions options = m_Options;
+  options.threads = this->GetNumberOfWorkUnits();
+  options.density = m_LabelDensity ? &m_LabelDensity->density : options.density;
+  return options;
+}
+
+template <typename TLabelImage, typename TMesh>
+moserhex::SolidMeshingOptions
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OptionsWithSimplerSolid(const moserhex::LabelVolume & label)
+{
+  moserhex::SolidMeshingOptions options = this->OptionsOfRun();
   if (!options.simplerSolid)
   {
     options.simplerSolid = [this, &label](moserhex::Simplification how) { return this->SimplerSolid(label, how); };
@@ -183,7 +191,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(
   try
   {
     moserhex::SolidMeshingResult other =
-      this->MeshFrom(m_Options, ShellMethod::ChanVese, phi, phi, { "shell ordering", 0.0, {}, {} });
+      this->MeshFrom(this->OptionsOfRun(), ShellMethod::ChanVese, phi, phi, { "shell ordering", 0.0, {}, {} });
     if (!usual || Badness(other) < Badness(*usual))
     {
       other.warnings.push_back("shells from Chan-Vese fronts, as eikonal ones did not do: " + reason);
@@ -204,12 +212,33 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshFromBestShells(
 }
 
 template <typename TLabelImage, typename TMesh>
-moserhex::SolidMeshingResult
-MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshOnTemplate(const moserhex::LevelSet & phi)
+std::optional<moserhex::OwnMesh>
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OwnMesh(const moserhex::LevelSet &    phi,
+                                                                const moserhex::LabelVolume & label)
 {
-  moserhex::SolidMeshingOptions options = m_Options;
-  options.threads = this->GetNumberOfWorkUnits();
-  options.density = m_LabelDensity ? &m_LabelDensity->density : options.density;
+  moserhex::SolidMeshingOptions options = this->OptionsWithSimplerSolid(label);
+  options.templateMesh.reset();
+  options.turnedFrames = 0; // its indices would mean other directions than the template's
+  options.density = nullptr;
+  options.allowPartial = false;
+  try
+  {
+    moserhex::SolidMeshingResult result = this->MeshFromUsualShells(options, phi);
+    return moserhex::OwnMesh{ std::move(result.mesh), std::move(result.simplerSolid) };
+  }
+  catch (const NotConvergedError &)
+  {
+    return std::nullopt;
+  }
+}
+
+template <typename TLabelImage, typename TMesh>
+moserhex::SolidMeshingResult
+MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::MeshOnTemplate(const moserhex::LevelSet &    phi,
+                                                                       const moserhex::LabelVolume & label)
+{
+  moserhex::SolidMeshingOptions options = this->OptionsOfRun();
+  options.ownMesh = [this, &phi, &label] { return this->OwnMesh(phi, label); };
   return RunCoreAlgorithm(
     this,
     [&](const moserhex::ProgressCallback & progress) {
@@ -260,7 +289,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::GenerateData()
   m_SimplerReport.reset();
   if (m_Options.templateMesh)
   {
-    m_Result = this->MeshOnTemplate(phi);
+    m_Result = this->MeshOnTemplate(phi, conditioning->GetRepairedLabel());
   }
   else
   {

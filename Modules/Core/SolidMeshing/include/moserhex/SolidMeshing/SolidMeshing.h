@@ -54,6 +54,13 @@ enum class TemplateAlignment
 };
 
 /** Options of meshSolid and meshOnTemplate. */
+/** An exact mesh of a solid that was made without a template, in its own frame. */
+struct OwnMesh
+{
+  HexMesh                 mesh;         ///< of as many nodes as the template
+  std::optional<LevelSet> simplerSolid; ///< the solid that was meshed when it is not phi, same grid or another
+};
+
 struct SolidMeshingOptions
 {
   int                 shells{ 10 };                     ///< N; the lattice has 2N nodes a side
@@ -90,7 +97,10 @@ struct SolidMeshingOptions
   /** Its nodes in the solid's space, as many, where a transform takes them there [mm]; in place of templateAlignment.
    */
   std::optional<Positions> templateNodes;
-  TemplateRefinement       refinement; ///< of a mesh that is tied; needs a template
+  /** The solid meshed on its own. Asked for when the template does not lead to an exact mesh: then this one is drawn to
+   * it. Empty, or nothing: no such attempt. */
+  std::function<std::optional<OwnMesh>()> ownMesh;
+  TemplateRefinement                      refinement; ///< of a mesh that is tied; needs a template
 
   /** Every cell gets the same mass under this density, of mean 1 over the organ, instead of the same volume. Not owned;
    * null: volumes. Only with the last stage Exact; refused otherwise. */
@@ -194,17 +204,22 @@ meshSolid(const LevelSet &            ordering,
  *
  * The template is scaled to the solid's volume about its middle and brought to it by options.templateAlignment; then
  * its boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that
- * one is sought which bends the template least (LatticeTies::reference). The less it may be bent, the more like
- * it the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
+ * one is sought which bends the template least and leaves its boundary nodes nearest to their places
+ * (LatticeTies::reference). The less it may be bent, the more like it the mesh is, and the more seldom it becomes
+ * exact: weights are tried from large to small. Where no weight leads to an exact mesh, options.ownMesh is drawn to the
+ * template instead, by weights from small to large.
  *
  * With options.refinement the exact mesh is then drawn, through exact ones, to where landmarks belong, and to where one
  * subject's image is like the other's (LatticeTies.h), images from smooth to sharp. The last exact mesh counts; what
  * was not reached is a warning.
  *
- * result.stages: "template", "exact" and, with a refinement, "refined". result.alignment is set where the template is
- * aligned; there are no shells and no sphere maps.
- * \throws InvalidInput  no template, one of another size or with padding; padding, a density or another last stage than
- * Exact is wanted; NotConverged, Cancelled  as meshSolid */
+ * With options.density the cells are then made equal by mass under the same ties: where the density says that one part
+ * of the solid has grown, or is the other subject's, its cells grow, and nodes elsewhere stay.
+ *
+ * result.stages: "template", "exact" and, with a refinement, "refined", with a density, "masses". result.alignment is
+ * set where the template is aligned; there are no shells and no sphere maps.
+ * \throws InvalidInput  no template, one of another size or with padding; padding, another last stage than Exact, or a
+ * density together with a refinement is wanted; NotConverged, Cancelled  as meshSolid */
 [[nodiscard]] SolidMeshingResult
 meshOnTemplate(const LevelSet &            phi,
                double                      volume,
