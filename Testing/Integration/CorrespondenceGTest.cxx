@@ -8,6 +8,10 @@
 #include "moserhex/Correspondence/BoundaryLandmarks.h"
 #include "moserhex/Correspondence/LandmarkErrors.h"
 
+#include <itkImageRegionIteratorWithIndex.h>
+
+#include <Eigen/LU>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,11 +25,14 @@ using namespace moserhex::integration;
 namespace
 {
 
+using DensityImage = Pipeline::DensityImageType;
+
 HexMesh
 meshOf(const ShortImage *         label,
        const HexMesh *            templateMesh,
        TemplateAlignment          alignment = TemplateAlignment::None,
-       const TemplateRefinement & refinement = {})
+       const TemplateRefinement & refinement = {},
+       const DensityImage *       density = nullptr)
 {
   auto pipeline = Pipeline::New();
   pipeline->SetInput(label);
@@ -36,6 +43,7 @@ meshOf(const ShortImage *         label,
     pipeline->SetTemplateMesh(*templateMesh);
     pipeline->SetTemplateAlignment(alignment);
     pipeline->SetTemplateRefinement(refinement);
+    pipeline->SetDensityImage(density);
   }
   pipeline->Update();
   return pipeline->GetHexMesh();
@@ -55,6 +63,7 @@ struct CorrespondenceErrors
   CorrespondenceError affine;    ///< aligned so
   CorrespondenceError landmarks; ///< refined by them
   CorrespondenceError images;    ///< refined by them, the deformed one's values those of the places before
+  CorrespondenceError density;   ///< equal masses of what filled the first solid evenly
 };
 
 /** Waves of 16 to 22 mm along three oblique directions, so that every place has values around it of its own. */
@@ -81,6 +90,36 @@ imageOf(const VoxelGrid & grid, const std::function<double(const Vector3 & p)> &
     }
   }
   return image;
+}
+
+DensityImage::Pointer
+densityImage(const ShortImage * label, const std::function<double(const Vector3 & p)> & f)
+{
+  auto image = DensityImage::New();
+  image->CopyInformation(label);
+  image->SetRegions(label->GetLargestPossibleRegion());
+  image->Allocate();
+  itk::ImageRegionIteratorWithIndex<DensityImage> at(image, image->GetLargestPossibleRegion());
+  for (; !at.IsAtEnd(); ++at)
+  {
+    const auto point = image->TransformIndexToPhysicalPoint<double>(at.GetIndex());
+    at.Set(f(Vector3(point[0], point[1], point[2])));
+  }
+  return image;
+}
+
+/** Of the volume of a small cube, by central differences. */
+double
+growthAt(const std::function<Vector3(const Vector3 & p)> & f, const Vector3 & p)
+{
+  constexpr double h = 1e-4; // [mm]
+  Matrix3          gradient;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector3 step = h * Vector3::Unit(axis);
+    gradient.col(axis) = (f(p + step) - f(p - step)) / (2.0 * h);
+  }
+  return gradient.determinant();
 }
 
 /** The middle one, of two the larger. */
@@ -116,11 +155,14 @@ errorsUnder(const analytic::KnownDeformation & deformation)
   images.images =
     CorrespondingImages{ imageOf(before, waves),
                          imageOf(after, [&](const Vector3 & p) { return waves(deformation.inverse(p)); }) };
+  const DensityImage::Pointer density =
+    densityImage(label, [&](const Vector3 & p) { return 1.0 / growthAt(deformation.forward, deformation.inverse(p)); });
   return { errorOf("on its own", meshOf(label, nullptr)),
            errorOf("tied", meshOf(label, &baseline)),
            errorOf("tied, affine", meshOf(label, &baseline, TemplateAlignment::Affine)),
            errorOf("tied, landmarks", meshOf(label, &baseline, TemplateAlignment::None, landmarks)),
-           errorOf("tied, images", meshOf(label, &baseline, TemplateAlignment::None, images)) };
+           errorOf("tied, images", meshOf(label, &baseline, TemplateAlignment::None, images)),
+           errorOf("tied, density", meshOf(label, &baseline, TemplateAlignment::None, {}, density)) };
 }
 
 } // namespace
@@ -146,6 +188,7 @@ TEST(Correspondence, ABendIsFollowed)
   EXPECT_LE(errors.landmarks.affine, 0.02);
   EXPECT_LE(errors.images.median, 0.5);
   EXPECT_LE(errors.images.affine, 0.02);
+  EXPECT_LE(errors.density.median, 0.5);
 }
 
 TEST(Correspondence, ALocalBulgeIsFollowedByATiedMesh)
@@ -158,4 +201,5 @@ TEST(Correspondence, ALocalBulgeIsFollowedByATiedMesh)
   EXPECT_LE(errors.landmarks.affine, 0.02);
   EXPECT_LE(errors.images.median, 0.5);
   EXPECT_LE(errors.images.affine, 0.02);
+  EXPECT_LE(errors.density.median, 0.5);
 }

@@ -49,10 +49,13 @@ requireUsableTemplate(const MeshCommandOptions & options)
     }
     return;
   }
-  if (options.stage != "exact" || options.padding > 0 || !options.density.empty() || options.way ||
-      options.frame != "anatomical")
+  if (options.stage != "exact" || options.padding > 0 || options.way || options.frame != "anatomical")
   {
-    throw UsageError("--template needs --stage exact, and takes no --padding, --density, --way or --frame");
+    throw UsageError("--template needs --stage exact, and takes no --padding, --way or --frame");
+  }
+  if (!options.density.empty() && (!options.landmarks.empty() || !options.image.empty()))
+  {
+    throw UsageError("--landmarks and --image take no --density: they refine meshes of equal volumes");
   }
 }
 

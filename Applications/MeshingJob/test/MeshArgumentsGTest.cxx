@@ -149,11 +149,16 @@ TEST(MeshArguments, TemplatesComeBackAsTheyWereAndExcludeWhatTheyCannotHave)
   EXPECT_EQ(refined.image, options.image);
   EXPECT_EQ(refined.templateImage, options.templateImage);
   EXPECT_EQ(meshingArguments(refined), meshingArguments(options));
-  for (const auto & [name, value] : Values{
-         { "padding", "1" }, { "density", "d.nrrd" }, { "way", "fast" }, { "frame", "ridge" }, { "stage", "moser" } })
+  for (const auto & [name, value] :
+       Values{ { "padding", "1" }, { "way", "fast" }, { "frame", "ridge" }, { "stage", "moser" } })
   {
     EXPECT_NE(refusal({ { "template", "t.vtu" }, { name, value } }).find("--template"), std::string::npos) << name;
   }
+  EXPECT_EQ(refusal({ { "template", "t.vtu" }, { "density", "d.nrrd" } }), "no error");
+  EXPECT_NE(
+    refusal({ { "template", "t.vtu" }, { "density", "d.nrrd" }, { "image", "i.nrrd" }, { "template-image", "t.nrrd" } })
+      .find("--density"),
+    std::string::npos);
 }
 
 TEST(MeshArguments, DefaultsAreGivenTooSoThatOthersDoNotCount)

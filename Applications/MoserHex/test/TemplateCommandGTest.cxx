@@ -71,9 +71,9 @@ protected:
                               << matrix << "\nFixedParameters: 0 0 0\n";
   }
 
-  /** Waves on the label's grid, moved along the patient's left. \param shift  [mm] */
+  /** Waves on the label's grid, moved along the patient's left. \param shift  [mm] \param level  they are about it */
   void
-  writePattern(const std::string & name, const VoxelGrid & grid, double shift) const
+  writePattern(const std::string & name, const VoxelGrid & grid, double shift, double level = 0.0) const
   {
     FieldVolume image;
     static_cast<VoxelGrid &>(image) = grid;
@@ -84,7 +84,8 @@ protected:
         for (int i = 0; i < grid.size[0]; ++i)
         {
           const Vector3 p = grid.point(i, j, k);
-          image.values.push_back(std::sin(0.15 * (p.x() - shift)) + std::cos(0.12 * p.y()) + std::sin(0.1 * p.z()));
+          image.values.push_back(level + std::sin(0.15 * (p.x() - shift)) + std::cos(0.12 * p.y()) +
+                                 std::sin(0.1 * p.z()));
         }
       }
     }
@@ -109,6 +110,22 @@ TEST_F(TemplateCommand, TheSameLabelGetsTheSameMesh)
   EXPECT_EQ(said["template"]["sha256"], sha256OfFile(path("baseline.vtu")));
   EXPECT_EQ(said["stages"][1]["name"], "template");
   EXPECT_TRUE(said["exact"]["reached"]);
+}
+
+TEST_F(TemplateCommand, WithADensityMassesAreEqual)
+{
+  writePattern("density.nrrd", makeSampleProstate().gland, 0.0, 4.0);
+  const std::string density = "--density=" + path("density.nrrd");
+  ASSERT_EQ(tied("prostate.nrrd", { "--align=none", density }).exitCode, 0);
+  const nlohmann::json said = report();
+  EXPECT_TRUE(said["exact"]["reached"]);
+  EXPECT_LE(said["exact"]["variance"].get<double>(), 1e-18);
+  EXPECT_EQ(said["density"]["file"], path("density.nrrd"));
+  EXPECT_EQ(said["stages"].back()["name"], "masses");
+  const Outcome refused =
+    tied("prostate.nrrd", { density, "--image=" + path("density.nrrd"), "--template-image=" + path("density.nrrd") });
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_NE(refused.error.find("--density"), std::string::npos) << refused.error;
 }
 
 TEST_F(TemplateCommand, AMovedLabelIsFound)
