@@ -53,7 +53,6 @@ enum class TemplateAlignment
   Affine ///< the same, also stretched and sheared
 };
 
-/** Options of meshSolid and meshOnTemplate. */
 /** An exact mesh of a solid that was made without a template, in its own frame. */
 struct OwnMesh
 {
@@ -61,6 +60,7 @@ struct OwnMesh
   std::optional<LevelSet> simplerSolid; ///< the solid that was meshed when it is not phi, same grid or another
 };
 
+/** Options of meshSolid and meshOnTemplate. */
 struct SolidMeshingOptions
 {
   int                 shells{ 10 };                     ///< N; the lattice has 2N nodes a side
