@@ -196,6 +196,7 @@ private:
       m_Result.simplerSolid = std::move(own->simplerSolid);
       m_SimplerAt.emplace(*m_Result.simplerSolid);
     }
+    m_Result.warnings.emplace_back("no tie from the template was exact: the solid's own mesh was drawn to it instead");
     return "from the solid's own mesh; ";
   }
 

@@ -180,6 +180,8 @@ TEST(MeshOnTemplate, TheOwnMeshMayBeOfASimplerSolid)
   EXPECT_EQ(result.simplerSolid->values, other.phi.values);
   EXPECT_LE(result.boundary.maximum, 0.5); // of that solid
   EXPECT_EQ(result.stages.back().note.rfind("from the solid's own mesh; ", 0), 0u) << result.stages.back().note;
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings.front().find("own mesh"), std::string::npos) << result.warnings.front();
 }
 
 TEST(MeshOnTemplate, DoesNotDependOnThreads)

@@ -218,6 +218,7 @@ MassPreservingHexahedralMeshFilter<TLabelImage, TMesh>::OwnMesh(const moserhex::
 {
   moserhex::SolidMeshingOptions options = this->OptionsWithSimplerSolid(label);
   options.templateMesh.reset();
+  options.refinement = {};
   options.turnedFrames = 0; // its indices would mean other directions than the template's
   options.density = nullptr;
   options.allowPartial = false;
