@@ -35,6 +35,18 @@ meshBy(const Way & way, const LabelImage & label, const HexMesh & other);
 [[nodiscard]] results::Run
 meshAlone(const LabelImage & label, int shells);
 
+/** Meshes of two labels. */
+struct MeshedPair
+{
+  results::Run first;
+  results::Run second;
+};
+
+/** Of labels that lie in one frame, by equal masses of what they agree on (agreementDensity), the second tied to the
+ * first. */
+[[nodiscard]] MeshedPair
+meshByAgreement(const LabelImage & first, const LabelImage & second, int shells);
+
 /** What a reader of a table should know of a mesh: it is not exact, its lattice is turned. Empty: nothing. */
 [[nodiscard]] std::string
 remarkOn(const results::Run & run);

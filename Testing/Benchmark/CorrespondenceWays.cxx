@@ -1,9 +1,21 @@
 #include "CorrespondenceParts.h"
 
 #include "moserhex/Common/Errors.h"
+#include "moserhex/LevelSet/AgreementDensity.h"
+#include "moserhex/LevelSet/LabelDensity.h"
 
 namespace moserhex::correspondence
 {
+namespace
+{
+
+LabelVolume
+volumeOf(const LabelImage & image)
+{
+  return labelVolumeOf(*image.image, chooseLabel(image, std::nullopt).value);
+}
+
+} // namespace
 
 std::vector<Way>
 waysToCorrespond()
@@ -36,6 +48,24 @@ meshAlone(const LabelImage & label, int shells)
   SolidMeshingOptions options;
   options.shells = shells;
   return results::runMeshing(label, options);
+}
+
+MeshedPair
+meshByAgreement(const LabelImage & first, const LabelImage & second, int shells)
+{
+  const ScalarVolume  density = agreementDensity({ volumeOf(first), volumeOf(second) }).density;
+  const LabelDensity  ofFirst = densityOnLabel(density, volumeOf(first));
+  const LabelDensity  ofSecond = densityOnLabel(density, volumeOf(second));
+  SolidMeshingOptions options;
+  options.shells = shells;
+  options.density = &ofFirst.density;
+  MeshedPair pair;
+  pair.first = results::runMeshing(first, options);
+  options.density = &ofSecond.density;
+  options.templateMesh = pair.first.pipeline->GetHexMesh();
+  options.templateAlignment = TemplateAlignment::None;
+  pair.second = results::runMeshing(second, options);
+  return pair;
 }
 
 std::string

@@ -4,7 +4,9 @@
 #include "moserhex/Correspondence/SurfaceDistance.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -17,6 +19,8 @@ using results::fixed;
 
 constexpr double factorOfSurfaces = 2.0; // of the bound
 constexpr double slackOfNodes = 0.5;     // of the bound [mm]
+
+const std::string agreedName = "tied, agreed masses";
 
 /** What a way makes of the second label. */
 struct WayNumbers
@@ -88,6 +92,35 @@ addRemark(const std::string & name, const std::string & remark, std::string & re
   }
 }
 
+bool
+isExact(const results::Run & run)
+{
+  return run.pipeline->GetResult().equalisation->exact;
+}
+
+WayNumbers
+numbersOf(const results::Run & first, const results::Run & second)
+{
+  const std::vector<double> distances =
+    pointDistances(first.pipeline->GetHexMesh().nodes, second.pipeline->GetHexMesh().nodes);
+  return { *weightedDistribution(distances, std::vector<double>(distances.size(), 1.0)),
+           isExact(first) && isExact(second) };
+}
+
+/** The last way: both labels anew, by what they agree on. */
+void
+addAgreed(const LabelImage & a, const LabelImage & b, int shells, Study & study)
+{
+  study.ways.emplace_back();
+  std::string       remark;
+  const std::string refusal = refusalOf([&] {
+    const MeshedPair pair = meshByAgreement(a, b, shells);
+    study.ways.back() = numbersOf(pair.first, pair.second);
+    remark = remarkOn(pair.second);
+  });
+  addRemark("B " + agreedName, refusal.empty() ? remark : refusal, study.remarks);
+}
+
 Study
 measure(const LabelImage & a, const LabelImage & b, const std::vector<Way> & ways, int shells)
 {
@@ -105,24 +138,23 @@ measure(const LabelImage & a, const LabelImage & b, const std::vector<Way> & way
     study.ways.emplace_back();
     std::string       remark;
     const std::string refusal = refusalOf([&] {
-      const results::Run        second = meshBy(way, b, mesh);
-      const std::vector<double> distances = pointDistances(mesh.nodes, second.pipeline->GetHexMesh().nodes);
-      study.ways.back() = { *weightedDistribution(distances, std::vector<double>(distances.size(), 1.0)),
-                            second.pipeline->GetResult().equalisation->exact };
+      const results::Run second = meshBy(way, b, mesh);
+      study.ways.back() = numbersOf(first, second);
       remark = remarkOn(second);
     });
     addRemark("B " + way.name, refusal.empty() ? remark : refusal, study.remarks);
   }
+  addAgreed(a, b, shells, study);
   return study;
 }
 
 void
-writeHeading(std::ostream & os, const std::vector<Way> & ways)
+writeHeading(std::ostream & os, const std::vector<std::string> & ways)
 {
   os << "| study | volume of A (mL) | B / A | surfaces, median / 95 % | bound |";
-  for (const Way & way : ways)
+  for (const std::string & way : ways)
   {
-    os << ' ' << way.name << ", median / 95 % | within |";
+    os << ' ' << way << ", median / 95 % | within |";
   }
   os << " remarks |\n|";
   for (std::size_t column = 0; column < 6 + 2 * ways.size(); ++column)
@@ -188,13 +220,16 @@ writeSummary(std::ostream & os, const std::vector<Study> & studies, std::size_t 
 void
 writeTestRetest(std::ostream & os, const Arguments & arguments)
 {
-  const auto             first = filesByStudy(arguments.folders[0]);
-  const auto             second = filesByStudy(arguments.folders[1]);
-  const std::vector<Way> ways = waysToCorrespond();
-  std::vector<Study>     studies;
-  std::size_t            asked = 0;
-  std::string            alone;
-  writeHeading(os, ways);
+  const auto               first = filesByStudy(arguments.folders[0]);
+  const auto               second = filesByStudy(arguments.folders[1]);
+  const std::vector<Way>   ways = waysToCorrespond();
+  std::vector<Study>       studies;
+  std::size_t              asked = 0;
+  std::string              alone;
+  std::vector<std::string> names;
+  std::transform(ways.begin(), ways.end(), std::back_inserter(names), [](const Way & way) { return way.name; });
+  names.push_back(agreedName);
+  writeHeading(os, names);
   for (const auto & [number, file] : first)
   {
     const auto partner = second.find(number);
@@ -222,7 +257,7 @@ writeTestRetest(std::ostream & os, const Arguments & arguments)
     throw std::runtime_error("no study of " + arguments.folders[0].string() + " is in " +
                              arguments.folders[1].string() + " and could be measured");
   }
-  writeSummary(os, studies, asked, ways.size());
+  writeSummary(os, studies, asked, names.size());
   if (!alone.empty())
   {
     os << "\nWithout a partner:" << alone << ".\n";

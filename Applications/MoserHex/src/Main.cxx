@@ -1,3 +1,4 @@
+#include "AgreementCommand.h"
 #include "AtlasCommand.h"
 #include "BatchCommand.h"
 #include "CaseListArguments.h"
@@ -245,27 +246,29 @@ run(int argc, char ** argv)
 
   MeshCommandOptions meshOptions;
   addMeshCommand(program, meshOptions);
-  BatchCommandOptions    batchOptions;
-  const CLI::App *       batch = addBatchCommand(program, batchOptions);
-  CollectCommandOptions  collectOptions;
-  const CLI::App *       collect = addCollectCommand(program, collectOptions);
-  CheckCommandOptions    checkOptions;
-  const CLI::App *       check = addCheckCommand(program, checkOptions);
-  CompareCommandOptions  compareOptions;
-  const CLI::App *       compare = addCompareCommand(program, compareOptions);
-  ConvertCommandOptions  convertOptions;
-  const CLI::App *       convert = addConvertCommand(program, convertOptions);
-  QualityCommandOptions  qualityOptions;
-  const CLI::App *       quality = addQualityCommand(program, qualityOptions);
-  TransferCommandOptions transferOptions;
-  const CLI::App *       transfer = addTransferCommand(program, transferOptions);
-  AtlasCommandOptions    atlasOptions;
-  const CLI::App *       atlas = addAtlasCommand(program, atlasOptions);
-  FigureCommandOptions   figureOptions;
-  const CLI::App *       figure = addFigureCommand(program, figureOptions);
-  std::string            sampleFolder;
-  bool                   sampleQuiet = false;
-  CLI::App *             sample =
+  BatchCommandOptions     batchOptions;
+  const CLI::App *        batch = addBatchCommand(program, batchOptions);
+  AgreementCommandOptions agreementOptions;
+  const CLI::App *        agreement = addAgreementCommand(program, agreementOptions);
+  CollectCommandOptions   collectOptions;
+  const CLI::App *        collect = addCollectCommand(program, collectOptions);
+  CheckCommandOptions     checkOptions;
+  const CLI::App *        check = addCheckCommand(program, checkOptions);
+  CompareCommandOptions   compareOptions;
+  const CLI::App *        compare = addCompareCommand(program, compareOptions);
+  ConvertCommandOptions   convertOptions;
+  const CLI::App *        convert = addConvertCommand(program, convertOptions);
+  QualityCommandOptions   qualityOptions;
+  const CLI::App *        quality = addQualityCommand(program, qualityOptions);
+  TransferCommandOptions  transferOptions;
+  const CLI::App *        transfer = addTransferCommand(program, transferOptions);
+  AtlasCommandOptions     atlasOptions;
+  const CLI::App *        atlas = addAtlasCommand(program, atlasOptions);
+  FigureCommandOptions    figureOptions;
+  const CLI::App *        figure = addFigureCommand(program, figureOptions);
+  std::string             sampleFolder;
+  bool                    sampleQuiet = false;
+  CLI::App *              sample =
     program.add_subcommand("sample", "Write a made-up prostate, its zones and a follow-up as labelmaps");
   sample->add_option("DIR", sampleFolder, "Folder to write to")->required();
   sample->add_flag("--quiet", sampleQuiet, "Print errors only");
@@ -293,6 +296,10 @@ run(int argc, char ** argv)
   if (collect->parsed())
   {
     return runGuardedForStatus([&] { return runCollectCommand(collectOptions); });
+  }
+  if (agreement->parsed())
+  {
+    return runGuarded([&] { runAgreementCommand(agreementOptions); });
   }
   if (atlas->parsed())
   {

@@ -3,7 +3,10 @@
 #include "moserhex/Common/Errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace moserhex
 {
@@ -93,45 +96,67 @@ convolveAlongRow(double * row, int length, const std::vector<double> & weights, 
   }
 }
 
+/** \param size    of the lattice, its first index the fastest \param sigmas  along its axes [nodes] */
+void
+smoothLattice(const std::array<int, 3> & size, const Vector3 & sigmas, std::vector<double> & values)
+{
+  const int            nx = size[0];
+  const int            ny = size[1];
+  const int            nz = size[2];
+  const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(nx) * ny;
+  double *             first = values.data();
+  std::vector<double>  padded;
+  std::vector<double>  weights = halfKernel(sigmas[0]);
+  for (int row = 0; row < ny * nz; ++row)
+  {
+    convolveAlongRow(first + static_cast<std::ptrdiff_t>(nx) * row, nx, weights, padded);
+  }
+  weights = halfKernel(sigmas[1]);
+  for (int k = 0; k < nz; ++k)
+  {
+    convolveRows(first + plane * k, ny, nx, nx, weights, padded);
+  }
+  weights = halfKernel(sigmas[2]);
+  for (int j = 0; j < ny; ++j)
+  {
+    convolveRows(first + static_cast<std::ptrdiff_t>(nx) * j, nz, plane, nx, weights, padded);
+  }
+}
+
+void
+requireSmoothable(const std::vector<double> & values, double sigma, const std::string & unit)
+{
+  if (!(sigma >= 0.0) || !std::isfinite(sigma))
+  {
+    throw InvalidInput("Gaussian smoothing: sigma " + std::to_string(sigma) + " " + unit + ", need >= 0");
+  }
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+  {
+    throw InvalidInput("Gaussian smoothing: a value is not finite");
+  }
+}
+
 } // namespace
 
 void
 gaussianSmoothInPlace(LevelSet & levelSet, double sigmaInNodes)
 {
   requireValid(levelSet, "Gaussian smoothing");
-  if (!(sigmaInNodes >= 0.0) || !std::isfinite(sigmaInNodes))
+  requireSmoothable(levelSet.values, sigmaInNodes, "nodes");
+  if (sigmaInNodes > 0.0)
   {
-    throw InvalidInput("Gaussian smoothing: sigma " + std::to_string(sigmaInNodes) + " nodes, need >= 0");
+    smoothLattice(levelSet.grid.size, Vector3::Constant(sigmaInNodes), levelSet.values);
   }
-  for (const double value : levelSet.values)
+}
+
+void
+gaussianSmoothInPlace(ScalarVolume & image, double sigma)
+{
+  requireValid(image, "Gaussian smoothing");
+  requireSmoothable(image.values, sigma, "mm");
+  if (sigma > 0.0)
   {
-    if (!std::isfinite(value))
-    {
-      throw InvalidInput("Gaussian smoothing: a value is not finite");
-    }
-  }
-  if (sigmaInNodes == 0.0)
-  {
-    return;
-  }
-  const std::vector<double> weights = halfKernel(sigmaInNodes);
-  const int                 nx = levelSet.grid.size[0];
-  const int                 ny = levelSet.grid.size[1];
-  const int                 nz = levelSet.grid.size[2];
-  double *                  values = levelSet.values.data();
-  std::vector<double>       padded;
-  for (int row = 0; row < ny * nz; ++row)
-  {
-    convolveAlongRow(values + static_cast<std::ptrdiff_t>(nx) * row, nx, weights, padded);
-  }
-  const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(nx) * ny;
-  for (int k = 0; k < nz; ++k)
-  {
-    convolveRows(values + plane * k, ny, nx, nx, weights, padded);
-  }
-  for (int j = 0; j < ny; ++j)
-  {
-    convolveRows(values + static_cast<std::ptrdiff_t>(nx) * j, nz, plane, nx, weights, padded);
+    smoothLattice(image.size, sigma * image.spacing.cwiseInverse(), image.values);
   }
 }
 

@@ -43,6 +43,24 @@ TEST(GaussianSmoothing, ImpulseSpreadsEquallyAlongTheThreeAxes)
   EXPECT_NEAR(variance[0], variance[2], 1e-12);
 }
 
+TEST(GaussianSmoothing, AnImageIsSmoothedByTheSameLengthAlongEveryAxis)
+{
+  ScalarVolume image;
+  image.size = { { 61, 31, 21 } };
+  image.spacing = Vector3(0.5, 1.0, 1.5);
+  image.values.assign(image.gridVoxels(), 0.0);
+  image.values[image.voxelNumber(30, 15, 10)] = 1.0;
+  gaussianSmoothInPlace(image, 3.0);
+  EXPECT_NEAR(std::accumulate(image.values.begin(), image.values.end(), 0.0), 1.0, 1e-12);
+  const auto logRatio = [&](int i, int j, int k) {
+    return std::log(image.values[image.voxelNumber(30, 15, 10)] /
+                    image.values[image.voxelNumber(30 + i, 15 + j, 10 + k)]);
+  };
+  EXPECT_NEAR(logRatio(6, 0, 0), 0.5, 1e-12); // r^2 / (2 sigma^2), 3 mm along each axis
+  EXPECT_NEAR(logRatio(0, 3, 0), 0.5, 1e-12);
+  EXPECT_NEAR(logRatio(0, 0, 2), 0.5, 1e-12);
+}
+
 TEST(GaussianSmoothing, ZeroSigmaLeavesTheValues)
 {
   LevelSet       f = test::randomField({ { 6, 6, 6 } }, 1);
@@ -66,6 +84,8 @@ TEST(GaussianSmoothing, NegativeSigmaAndInfiniteValuesAreRefused)
   LevelSet f = test::randomField({ { 6, 6, 6 } }, 1);
   EXPECT_THROW(gaussianSmoothInPlace(f, -1.0), InvalidInput);
   EXPECT_THROW(gaussianSmoothInPlace(f, NAN), InvalidInput);
+  ScalarVolume image;
+  EXPECT_THROW(gaussianSmoothInPlace(image, 1.0), InvalidInput); // no voxels
   f.values[3] = INFINITY;
   EXPECT_THROW(gaussianSmoothInPlace(f, 1.0), InvalidInput);
 }

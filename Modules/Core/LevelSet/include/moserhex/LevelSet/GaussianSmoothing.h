@@ -1,5 +1,6 @@
 #pragma once
 
+#include "moserhex/LevelSet/DensityImage.h"
 #include "moserhex/LevelSet/LevelSet.h"
 
 namespace moserhex
@@ -12,5 +13,12 @@ namespace moserhex
  * \note Linear functions are reproduced away from the border (3 sigma). O(n sigma). */
 void
 gaussianSmoothInPlace(LevelSet & levelSet, double sigmaInNodes);
+
+/** The same for an image: as wide along every axis, whatever the voxels' sides.
+ *
+ * \param sigma  standard deviation [mm]; 0 leaves the values as they are
+ * \throws InvalidInput  invalid image, a value that is not finite, or sigma negative or not finite */
+void
+gaussianSmoothInPlace(ScalarVolume & image, double sigma);
 
 } // namespace moserhex
