@@ -169,16 +169,34 @@ writeSample(std::ostream &                   os,
   os << (remarks.empty() ? "" : "\n");
 }
 
+/** Own; rigid ties to the medoid; and to the mean of what came of these, twice. */
+std::vector<Way>
+waysOfModels()
+{
+  std::vector<Way> ways{ { "own", false, false, {} },
+                         { "tied", true, false, {} },
+                         { "to the mean", true, false, {} },
+                         { "to the new mean", true, false, {} } };
+  for (Way & way : ways)
+  {
+    way.options.templateAlignment = TemplateAlignment::Rigid;
+  }
+  return ways;
+}
+
 } // namespace
 
 void
 writeModels(std::ostream & os, const Arguments & arguments)
 {
-  std::vector<Way> ways = waysToCorrespond();
-  ways.erase(std::remove_if(ways.begin(), ways.end(), [](const Way & way) { return way.oneFrame; }), ways.end());
+  const std::vector<Way> ways = waysOfModels();
   for (const auto & folder : arguments.folders)
   {
-    const Sample                sample = meshSample(filesOfSubjects(folder, arguments), ways, arguments);
+    Sample sample = meshSample(filesOfSubjects(folder, arguments), { ways[0], ways[1] }, arguments);
+    for (std::size_t way = 2; way < ways.size(); ++way)
+    {
+      tieToMean(ways[way], arguments.alignment, sample);
+    }
     std::vector<Correspondence> all;
     for (std::size_t way = 0; way < ways.size(); ++way)
     {

@@ -8,6 +8,7 @@
 #include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/Geometry/SurfaceRemeshing.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
+#include "moserhex/ShapeStatistics/EqualVolumeShape.h"
 #include "moserhex/ShapeStatistics/Procrustes.h"
 #include "moserhex/ShapeStatistics/ShapeModel.h"
 
@@ -23,17 +24,6 @@ namespace
 {
 
 constexpr double edgeOfSurface = 1.0; ///< of the triangles of a label's surface [mm]
-
-Positions
-boundaryPoints(const HexMesh & mesh)
-{
-  Positions points;
-  for (const std::size_t node : boundaryNodes(mesh))
-  {
-    points.push_back(mesh.nodes[node]);
-  }
-  return points;
-}
 
 /** A lattice whose boundary nodes are these. */
 HexMesh
@@ -183,6 +173,29 @@ tieTo(const HexMesh & medoid, const std::vector<Way> & ways, Subject & subject, 
   return refusal;
 }
 
+/** The mean of aligned meshes, of equal volumes. */
+HexMesh
+meanMesh(const std::vector<HexMesh> & meshes, AlignmentKind alignment, Sample & sample)
+{
+  const std::vector<SimilarityTransform> transforms = alignmentOf(meshes, alignment);
+  HexMesh                                mean = meshes.front();
+  std::fill(mean.nodes.begin(), mean.nodes.end(), Vector3::Zero());
+  for (std::size_t s = 0; s < meshes.size(); ++s)
+  {
+    const Positions nodes = transformed(meshes[s].nodes, transforms[s]);
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      mean.nodes[node] += nodes[node] / static_cast<double>(meshes.size());
+    }
+  }
+  EqualVolumeShape shape = equalVolumeShape(mean);
+  if (!shape.exact)
+  {
+    sample.remarks.push_back("the mean mesh is not exact: " + shape.shortcomings.front());
+  }
+  return std::move(shape.mesh);
+}
+
 void
 requireEnough(const Sample & sample)
 {
@@ -267,6 +280,19 @@ meshSample(const std::vector<std::filesystem::path> & files, const std::vector<W
   }
   complete.medoid = static_cast<std::size_t>(place - complete.subjects.begin());
   return complete;
+}
+
+void
+tieToMean(const Way & way, AlignmentKind alignment, Sample & sample)
+{
+  const HexMesh mean = meanMesh(meshesBy(sample, sample.subjects.front().meshes.size() - 1), alignment, sample);
+  for (Subject & subject : sample.subjects)
+  {
+    std::cerr << subject.name << ", " << way.name << std::endl;
+    const results::Run run = meshBy(way, readLabelImage(subject.file.string()), mean);
+    addRemark(way, subject.name, run, sample);
+    subject.meshes.push_back(run.pipeline->GetHexMesh());
+  }
 }
 
 Correspondence

@@ -97,6 +97,17 @@ boundaryNodes(const HexMesh & mesh)
   return nodes;
 }
 
+Positions
+boundaryPoints(const HexMesh & mesh)
+{
+  Positions points;
+  for (const std::size_t node : boundaryNodes(mesh))
+  {
+    points.push_back(mesh.nodes[node]);
+  }
+  return points;
+}
+
 std::vector<Quadrilateral>
 boundaryQuads(const HexMesh & mesh)
 {

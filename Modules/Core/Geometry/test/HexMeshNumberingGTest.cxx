@@ -92,6 +92,12 @@ TEST(PaddedLattice, CellsShareTheirFacesUpToTheBoundary)
     }
     const std::vector<std::size_t> onBoundary = boundaryNodes(mesh);
     EXPECT_TRUE(std::equal(nodes.begin(), nodes.end(), onBoundary.begin(), onBoundary.end()));
+    const Positions points = boundaryPoints(mesh);
+    ASSERT_EQ(points.size(), onBoundary.size());
+    for (std::size_t b = 0; b < points.size(); ++b)
+    {
+      EXPECT_EQ(points[b], mesh.nodes[onBoundary[b]]);
+    }
   }
 }
 

@@ -52,17 +52,6 @@ requireUsable(const SolidMeshingOptions & options)
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
 }
 
-Positions
-boundaryPoints(const HexMesh & mesh)
-{
-  Positions points;
-  for (const std::size_t node : boundaryNodes(mesh))
-  {
-    points.push_back(mesh.nodes[node]);
-  }
-  return points;
-}
-
 /** About the nodes' middle, to the volume. */
 void
 scaleToVolume(double volume, HexMesh & mesh)

@@ -34,6 +34,10 @@ shellOfCells(const HexMesh & mesh);
 [[nodiscard]] std::vector<std::size_t>
 boundaryNodes(const HexMesh & mesh);
 
+/** Where they are, in the same order [mm]. */
+[[nodiscard]] Positions
+boundaryPoints(const HexMesh & mesh);
+
 /** The node numbers around every quadrilateral of the boundary, 6 (n-1)^2 of them; orientation differs from face to
  * face. */
 [[nodiscard]] std::vector<Quadrilateral>
