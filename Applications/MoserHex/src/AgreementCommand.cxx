@@ -8,12 +8,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace moserhex::app
 {
 namespace
 {
+
+constexpr double usualOverlap = 0.5; ///< of what all hold and what one holds; below: a warning
 
 FieldVolume
 fieldOf(ScalarVolume && image)
@@ -55,7 +58,7 @@ addAgreementCommand(CLI::App & program, AgreementCommandOptions & options)
                  options.labelmaps,
                  "Two or more labelmaps or surfaces of one organ in one space (.nrrd .nii .nii.gz .mha .vtp .stl ...)")
     ->required()
-    ->expected(2, 1000);
+    ->expected(-2); // at least
   command->add_option("--output", options.output, "Image to write (.nrrd .nii .nii.gz), for mesh --density")
     ->required();
   addSolidOptions(*command, options.solid);
@@ -80,12 +83,18 @@ runAgreementCommand(const AgreementCommandOptions & options)
   }
   AgreementDensity agreement = agreementDensity(labels, options.agreement);
   writeFieldImage(options.output, fieldOf(std::move(agreement.density)));
+  const double overlap = agreement.agreedVolume / (agreement.agreedVolume + agreement.disputedVolume);
+  if (overlap < usualOverlap)
+  {
+    printWarning("all labelmaps together hold only " + std::to_string(std::lround(100.0 * overlap)) +
+                 " % of what one of them holds: are they of one organ, in one space?");
+  }
   if (!options.quiet)
   {
     std::printf("all hold %.3f mL, only some %.3f mL (overlap %.3f)\ndensity  %s\n",
                 agreement.agreedVolume / 1000.0,
                 agreement.disputedVolume / 1000.0,
-                agreement.agreedVolume / (agreement.agreedVolume + agreement.disputedVolume),
+                overlap,
                 options.output.c_str());
   }
 }

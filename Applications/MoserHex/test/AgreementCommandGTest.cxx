@@ -69,6 +69,19 @@ TEST_F(AgreementCommand, NodesStayWhereOnlyOneReaderHasAnEnd)
   EXPECT_LT(byAgreement, 0.7 * byVolume) << byVolume;
 }
 
+TEST_F(AgreementCommand, OrgansThatHardlyOverlapAreWarnedOf)
+{
+  LabelVolume moved = makeSampleProstate().gland;
+  moved.origin += Vector3(25.0, 0.0, 0.0);
+  writeLabelImage(path("c.nrrd"), moved);
+  const Outcome outcome =
+    run({ "agreement", path("a.nrrd"), path("b.nrrd"), path("c.nrrd"), "--output", path("agreed.nii.gz"), "--quiet" });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("are they of one organ, in one space?"), std::string::npos) << outcome.error;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(fs::exists(path("agreed.nii.gz")));
+}
+
 TEST_F(AgreementCommand, WhatCannotBeDoneIsSaid)
 {
   EXPECT_EQ(run({ "agreement", path("a.nrrd"), "--output", path("agreed.nrrd") }).exitCode, 2);

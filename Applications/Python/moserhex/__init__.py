@@ -24,7 +24,7 @@ from ._atlas import (
     procrustes,
 )
 from ._compare import Comparison, compare
-from ._mesh import Mesh, mesh, read, read_labels
+from ._mesh import Mesh, agreement, mesh, read, read_labels
 from ._moserhex import Error, __version__
 
 __all__ = [
@@ -34,6 +34,7 @@ __all__ = [
     "PermutationTest",
     "Procrustes",
     "ShapeModel",
+    "agreement",
     "compare",
     "fit_shapes",
     "group_columns",

@@ -7,7 +7,7 @@ import json
 import math
 import os
 import warnings
-from typing import Any, Callable, Optional, Tuple, Union
+from typing import Any, Callable, Iterable, Optional, Tuple, Union
 
 import numpy
 import numpy.typing
@@ -62,7 +62,7 @@ def mesh(
     density        positive image: cells get equal masses instead of equal volumes. An array on the voxels of `labels`, or
                    a pair (array, affine)
     template       a Mesh without padding that this one is tied to, node by node: a follow-up to its baseline, a subject
-                   to an atlas; in any space; only with stage "exact", without padding, density, way and frame
+                   to an atlas; in any space; only with stage "exact", without padding, way and frame
     align          how the template is brought to the label first: "rigid" or "affine", by the surfaces; "none", where
                    both are of one scan; or a file with an ITK transform from the template to the label
     landmarks      (K, 3) places of this organ [mm], in `space`, and
@@ -153,6 +153,31 @@ def read_labels(
     for remark in remarks:
         warnings.warn(remark, stacklevel=2)
     return labels, affine
+
+
+def agreement(
+    labelmaps: Iterable[Tuple[Array, Array]],
+    *,
+    space: str = "RAS",
+    disputed: float = 0.1,
+    smoothing: float = 2.0,
+) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    """The density of what several segmentations of one organ agree on, as (density, affine): for `mesh`.
+
+    labelmaps   two or more pairs (labels, affine) in one space; every voxel that is not 0 is the organ
+    space       of all affines: "RAS" or "LPS"
+    disputed    density of voxels that only some hold, against 1
+    smoothing   standard deviation of a Gaussian, within what at least one holds; 0: none [mm]
+
+    Cells of equal mass under it hardly count what only one of them has, so that nodes stay where the organs are the same:
+
+        agreed = moserhex.agreement([(first, affine), (second, affine)])
+        baseline = moserhex.mesh(first, affine, density=agreed)
+        follow_up = moserhex.mesh(second, affine, template=baseline, align="none", density=agreed)
+
+    Raises Error: E_PRECONDITION for fewer than two, or none with a voxel in common; those of `mesh` for each array.
+    """
+    return _moserhex.agreement(list(labelmaps), space, disputed, smoothing)
 
 
 class Mesh:

@@ -53,6 +53,9 @@ def read(path: str, space: str, sandbox: bool) -> Mesh: ...
 def read_labels(
     path: str, space: str, threshold: float | None, segment: str | None, sandbox: bool
 ) -> tuple[numpy.ndarray, numpy.ndarray, list[str]]: ...
+def agreement(
+    labelmaps: list[tuple[Any, Any]], space: str, disputed: float, smoothing: float
+) -> tuple[numpy.ndarray, numpy.ndarray]: ...
 def cell_means(
     mesh: Mesh,
     values: Any,

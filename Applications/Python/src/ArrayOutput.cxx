@@ -7,6 +7,30 @@ namespace moserhex::python
 
 namespace py = pybind11;
 
+namespace
+{
+
+/** \param step  from a voxel to the next along an axis, LPS [mm] */
+template <typename TStep>
+py::array
+affineOf(TStep step, const Vector3 & origin, Space space)
+{
+  py::array_t<double> affine({ 4, 4 });
+  auto                entry = affine.mutable_unchecked<2>();
+  for (py::ssize_t column = 0; column < 4; ++column)
+  {
+    const Vector3 steps = flip(column < 3 ? step(static_cast<unsigned int>(column)) : origin, space);
+    for (py::ssize_t row = 0; row < 3; ++row)
+    {
+      entry(row, column) = steps[row];
+    }
+    entry(3, column) = column < 3 ? 0.0 : 1.0;
+  }
+  return affine;
+}
+
+} // namespace
+
 py::array
 arrayOf(const Positions & positions, Space space)
 {
@@ -25,6 +49,14 @@ cubeOf(const std::vector<double> & values, int side)
 {
   py::array_t<double, py::array::f_style> array({ side, side, side });
   std::copy(values.begin(), values.end(), array.mutable_data());
+  return array;
+}
+
+py::array
+arrayOf(const ScalarVolume & image)
+{
+  py::array_t<double, py::array::f_style> array({ image.size[0], image.size[1], image.size[2] });
+  std::copy(image.values.begin(), image.values.end(), array.mutable_data());
   return array;
 }
 
@@ -85,24 +117,24 @@ arrayOf(const LabelImageType & image)
 py::array
 affineOf(const LabelImageType & image, Space space)
 {
-  py::array_t<double> affine({ 4, 4 });
-  auto                entry = affine.mutable_unchecked<2>();
-  for (py::ssize_t column = 0; column < 4; ++column)
-  {
-    Vector3 steps;
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      const auto axis = static_cast<unsigned int>(column);
-      steps[row] = column < 3 ? image.GetDirection()(row, axis) * image.GetSpacing()[axis] : image.GetOrigin()[row];
-    }
-    steps = flip(steps, space);
-    for (py::ssize_t row = 0; row < 3; ++row)
-    {
-      entry(row, column) = steps[row];
-    }
-    entry(3, column) = column < 3 ? 0.0 : 1.0;
-  }
-  return affine;
+  return affineOf(
+    [&image](unsigned int axis) {
+      Vector3 step;
+      for (unsigned int row = 0; row < 3; ++row)
+      {
+        step[row] = image.GetDirection()(row, axis) * image.GetSpacing()[axis];
+      }
+      return step;
+    },
+    Vector3(image.GetOrigin()[0], image.GetOrigin()[1], image.GetOrigin()[2]),
+    space);
+}
+
+py::array
+affineOf(const VoxelGrid & grid, Space space)
+{
+  return affineOf(
+    [&grid](unsigned int axis) { return Vector3(grid.direction.col(axis) * grid.spacing[axis]); }, grid.origin, space);
 }
 
 } // namespace moserhex::python

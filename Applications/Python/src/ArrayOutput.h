@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ArrayInput.h"
+#include "moserhex/LevelSet/DensityImage.h"
 
 namespace moserhex::python
 {
@@ -14,6 +15,10 @@ arrayOf(const Positions & positions, Space space);
 /** side x side x side values, the first index fastest. */
 [[nodiscard]] pybind11::array
 cubeOf(const std::vector<double> & values, int side);
+
+/** Indexed [i, j, k], the first index fastest. */
+[[nodiscard]] pybind11::array
+arrayOf(const ScalarVolume & image);
 
 /** Indexed [i, j, k], or of several components [i, j, k, component]; a voxel's values are together in memory. */
 [[nodiscard]] pybind11::array
@@ -38,5 +43,9 @@ arrayOf(const LabelImageType & image);
 /** 4 x 4, from index to millimetres of `space`. */
 [[nodiscard]] pybind11::array
 affineOf(const LabelImageType & image, Space space);
+
+/** The same. */
+[[nodiscard]] pybind11::array
+affineOf(const VoxelGrid & grid, Space space);
 
 } // namespace moserhex::python

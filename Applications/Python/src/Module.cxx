@@ -15,6 +15,7 @@
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Stopwatch.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
+#include "moserhex/LevelSet/AgreementDensity.h"
 
 #include <pybind11/stl.h>
 
@@ -22,6 +23,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -186,6 +189,27 @@ readLabels(const std::string &                fileName,
   return py::make_tuple(arrayOf(*image.image), affineOf(*image.image, ownSpace), image.warnings);
 }
 
+/** \param labelmaps  pairs of labels and affine; all that is not 0 is the organ \return density, affine */
+py::tuple
+agreementOf(const std::vector<std::pair<py::object, py::object>> & labelmaps,
+            const std::string &                                    space,
+            double                                                 disputed,
+            double                                                 smoothing)
+{
+  const Space              ownSpace = spaceOf(space);
+  std::vector<LabelVolume> labels;
+  for (const auto & [values, affine] : labelmaps)
+  {
+    labels.push_back(labelVolumeOfAll(*labelsFrom(values, affine, ownSpace).image));
+  }
+  AgreementDensity agreement;
+  {
+    const py::gil_scoped_release release;
+    agreement = agreementDensity(labels, { disputed, smoothing });
+  }
+  return py::make_tuple(arrayOf(agreement.density), affineOf(agreement.density, ownSpace));
+}
+
 } // namespace
 
 PYBIND11_MODULE(_moserhex, module)
@@ -210,6 +234,7 @@ PYBIND11_MODULE(_moserhex, module)
   module.def("mesh", &makeMesh);
   module.def("read", &readMesh);
   module.def("read_labels", &readLabels);
+  module.def("agreement", &agreementOf);
   addTransfer(module);
   addComparison(module);
   addShapeStatistics(module);

@@ -239,5 +239,25 @@ class Interruption(unittest.TestCase):
         self.assertTrue(numpy.array_equal(small_mesh().points, expected))
 
 
+class Agreement(FolderTest):
+    def test_density_is_the_command_s_and_makes_a_mesh(self):
+        other = LABELS.copy()
+        other[..., : LABELS.shape[2] // 3] = 0
+        write_nrrd(self.folder / "a.nrrd", LABELS, LPS)
+        write_nrrd(self.folder / "b.nrrd", other, LPS)
+        self.command("agreement", "a.nrrd", "b.nrrd", "--output", "agreed.nrrd", "--quiet")
+        self.command("mesh", "a.nrrd", "command.vtu", "--density", "agreed.nrrd", "--quiet", "--shells", 3)
+        agreed = moserhex.agreement([(LABELS, LPS), (other, LPS)], space="LPS")
+        self.assertAlmostEqual(agreed[0].max(), 1.0)
+        self.assertLess(agreed[0].min(), 0.2)
+        mesh = moserhex.mesh(LABELS, LPS, space="LPS", shells=3, density=agreed)
+        written = moserhex.read(self.folder / "command.vtu", space="LPS")
+        self.assertLess(numpy.abs(mesh.points - written.points).max(), 0.01)  # rounding of the affine, amplified
+
+    def test_one_alone_is_refused(self):
+        with self.assertRaisesRegex(moserhex.Error, "at least two labels"):
+            moserhex.agreement([(LABELS, RAS)])
+
+
 if __name__ == "__main__":
     unittest.main()
