@@ -35,6 +35,9 @@ meshBy(const Way & way, const LabelImage & label, const HexMesh & other);
 [[nodiscard]] results::Run
 meshAlone(const LabelImage & label, int shells);
 
+/** What the tables call meshByAgreement. */
+inline constexpr const char * agreedName = "tied, agreed masses";
+
 /** Meshes of two labels. */
 struct MeshedPair
 {

@@ -5,7 +5,9 @@
 #include "moserhex/Correspondence/LandmarkErrors.h"
 #include "moserhex/Deformation/WeightedDistribution.h"
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 
 namespace moserhex::correspondence
 {
@@ -14,12 +16,12 @@ namespace
 using results::fixed;
 
 void
-writeHeading(std::ostream & os, const std::vector<Way> & ways)
+writeHeading(std::ostream & os, const std::vector<std::string> & ways)
 {
   os << "| deformation |";
-  for (const Way & way : ways)
+  for (const std::string & way : ways)
   {
-    os << ' ' << way.name << ", nodes, median / 95 % (edges) | " << way.name << ", affine part |";
+    os << ' ' << way << ", nodes, median / 95 % (edges) | " << way << ", affine part |";
   }
   os << "\n|";
   for (std::size_t column = 0; column < 1 + 2 * ways.size(); ++column)
@@ -52,24 +54,34 @@ writeDeformations(std::ostream & os, const Arguments & arguments)
   std::vector<Way> ways = waysToCorrespond();
   ways.push_back({ "tied, landmarks", true, true, {} });
   ways.back().options.templateAlignment = TemplateAlignment::None;
-  const analytic::Solid solid = analytic::pearShapedSolid();
-  const results::Run    first = meshAlone(results::labelImageOf(solid), arguments.shells);
-  const HexMesh &       baseline = first.pipeline->GetHexMesh();
-  writeHeading(os, ways);
+  const analytic::Solid    solid = analytic::pearShapedSolid();
+  const results::Run       first = meshAlone(results::labelImageOf(solid), arguments.shells);
+  const HexMesh &          baseline = first.pipeline->GetHexMesh();
+  std::vector<std::string> names;
+  std::transform(ways.begin(), ways.end(), std::back_inserter(names), [](const Way & way) { return way.name; });
+  names.emplace_back(agreedName);
+  writeHeading(os, names);
   for (const analytic::KnownDeformation & deformation : analytic::knownDeformations())
   {
     std::cerr << deformation.name << std::endl;
     const LabelImage label = results::labelImageOf(analytic::deformed(solid, deformation));
     ways.back().options.refinement.landmarks = boundaryLandmarks(baseline, deformation.forward);
     os << "| " << deformation.name << " |";
-    for (const Way & way : ways)
-    {
-      const std::string refusal = refusalOf([&] { writeWay(os, meshBy(way, label, baseline), baseline, deformation); });
+    const auto writeOrSay = [&os](const std::function<void()> & write) {
+      const std::string refusal = refusalOf(write);
       if (!refusal.empty())
       {
         os << ' ' << refusal << " | |";
       }
+    };
+    for (const Way & way : ways)
+    {
+      writeOrSay([&] { writeWay(os, meshBy(way, label, baseline), baseline, deformation); });
     }
+    writeOrSay([&] {
+      const MeshedPair pair = meshByAgreement(results::labelImageOf(solid), label, arguments.shells);
+      writeWay(os, pair.second, pair.first.pipeline->GetHexMesh(), deformation);
+    });
     os << std::endl;
   }
 }

@@ -20,8 +20,6 @@ using results::fixed;
 constexpr double factorOfSurfaces = 2.0; // of the bound
 constexpr double slackOfNodes = 0.5;     // of the bound [mm]
 
-const std::string agreedName = "tied, agreed masses";
-
 /** What a way makes of the second label. */
 struct WayNumbers
 {
@@ -118,7 +116,7 @@ addAgreed(const LabelImage & a, const LabelImage & b, int shells, Study & study)
     study.ways.back() = numbersOf(pair.first, pair.second);
     remark = remarkOn(pair.second);
   });
-  addRemark("B " + agreedName, refusal.empty() ? remark : refusal, study.remarks);
+  addRemark(std::string("B ") + agreedName, refusal.empty() ? remark : refusal, study.remarks);
 }
 
 Study
@@ -228,7 +226,7 @@ writeTestRetest(std::ostream & os, const Arguments & arguments)
   std::string              alone;
   std::vector<std::string> names;
   std::transform(ways.begin(), ways.end(), std::back_inserter(names), [](const Way & way) { return way.name; });
-  names.push_back(agreedName);
+  names.emplace_back(agreedName);
   writeHeading(os, names);
   for (const auto & [number, file] : first)
   {
