@@ -20,6 +20,7 @@ namespace
 
 /** Half of the volume's range at least: rounding errors of an exact mesh must not fill the scale [1]. */
 constexpr double smallestVolumeRange = 0.1;
+constexpr double largestVolumeRange = 1.0; // a volume below 0 is none
 
 /** Numbers that differ by less than this part of them are the same but for rounding. */
 constexpr double roundingOfEqualNumbers = 1e-9;
@@ -160,6 +161,11 @@ byQuality(const DrawnMesh & mesh, const std::string & name)
     for (const double ratio : colours.values)
     {
       half = std::max(half, std::abs(ratio - 1.0));
+    }
+    if (half > largestVolumeRange)
+    {
+      half = largestVolumeRange;
+      colours.title = "volume / mean (2: or more)";
     }
     colours.scale = divergingScale();
     colours.low = 1.0 - half;

@@ -84,6 +84,16 @@ TEST(CellColours, RoundingErrorsOfEqualVolumesDoNotFillTheScale)
   EXPECT_EQ(colours.high, 1.1);
 }
 
+TEST(CellColours, OfVolumesThatDifferMuchTheScaleEndsAtNoVolume)
+{
+  const HexMesh wide =
+    analytic::lattice(4, [](const Vector3 & c) { return Vector3(c[0] < 3.0 ? c[0] : 9.0, c[1], c[2]); });
+  const CellColours colours = colourCells(drawn(wide), by("volume"));
+  EXPECT_EQ(colours.low, 0.0);
+  EXPECT_EQ(colours.high, 2.0);
+  EXPECT_EQ(colours.title, "volume / mean (2: or more)");
+}
+
 TEST(CellColours, ValuesBeyondTheRangeGetTheColoursOfItsEnds)
 {
   FigureOptions options = by("volume");
