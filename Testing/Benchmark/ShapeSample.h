@@ -42,8 +42,8 @@ meshSample(const std::vector<std::filesystem::path> & files,
            const std::vector<Way> &                   ways,
            const Arguments &                          arguments);
 
-/** One more way: all subjects are tied, by a way that ties, to the mean of their last meshes, aligned by Procrustes and
- * made of equal volumes, as moserhex atlas writes it. A label that is refused ends the run. */
+/** One more way: all subjects are tied, by a way that ties, to the mean of their last meshes, aligned by Procrustes of
+ * their boundary nodes and made of equal volumes, as moserhex atlas writes it. A label that is refused ends the run. */
 void
 tieToMean(const Way & way, AlignmentKind alignment, Sample & sample);
 

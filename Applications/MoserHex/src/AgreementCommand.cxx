@@ -3,13 +3,13 @@
 #include "Console.h"
 #include "MeshArguments.h"
 #include "OutputName.h"
-#include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/FieldImageWriter.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace moserhex::app
 {

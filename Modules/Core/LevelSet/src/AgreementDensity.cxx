@@ -58,15 +58,30 @@ extend(const LabelVolume & label, const VoxelGrid & grid, IndexBox & box)
   });
 }
 
-/** The grid of the first label, around all of them. */
+[[noreturn]] void
+refuseLabelsApart()
+{
+  throw InvalidInput("agreement: the labels have no voxel in common");
+}
+
+/** The grid of the first label, around all of them. \throws InvalidInput  their boxes have nothing in common: what is
+ * around them could be of any size */
 VoxelGrid
 gridAround(const std::vector<LabelVolume> & labels)
 {
   VoxelGrid grid = labels.front();
   IndexBox  box;
+  IndexBox  common{ box.high, box.low };
   for (const LabelVolume & label : labels)
   {
-    extend(label, grid, box);
+    IndexBox own;
+    extend(label, grid, own);
+    common = { common.low.cwiseMax(own.low), common.high.cwiseMin(own.high) };
+    box = { box.low.cwiseMin(own.low), box.high.cwiseMax(own.high) };
+  }
+  if ((common.high - common.low).minCoeff() <= 0.0)
+  {
+    refuseLabelsApart();
   }
   const Eigen::Vector3i low = box.low.array().floor().cast<int>() - 1;
   const Eigen::Vector3i high = box.high.array().ceil().cast<int>() + 1;
@@ -133,7 +148,7 @@ agreementDensity(const std::vector<LabelVolume> & labels, const AgreementOptions
   });
   if (agreed == 0)
   {
-    throw InvalidInput("agreement: the labels have no voxel in common");
+    refuseLabelsApart();
   }
   result.agreedVolume = static_cast<double>(agreed) * density.voxelVolume();
   result.disputedVolume = static_cast<double>(disputed) * density.voxelVolume();

@@ -148,6 +148,9 @@ TEST(AgreementDensity, WhatCannotAgreeIsRefused)
   };
   EXPECT_EQ(refusalOf({ label }, {}), "agreement: at least two labels are needed");
   EXPECT_EQ(refusalOf({ label, far }, {}), "agreement: the labels have no voxel in common");
+  LabelVolume elsewhere = label;
+  elsewhere.origin += Vector3(1e12, 0, 0); // an image around both would not fit anywhere
+  EXPECT_EQ(refusalOf({ label, elsewhere }, {}), "agreement: the labels have no voxel in common");
   EXPECT_EQ(refusalOf({ label, label }, { 0.0, 1.0 }), "agreement: the density of disputed voxels must be in (0, 1]");
   EXPECT_EQ(refusalOf({ label, label }, { 0.1, -1.0 }), "agreement: the smoothing must be finite, not negative");
 }
