@@ -18,9 +18,8 @@ namespace moserhex::correspondence
 struct Way
 {
   std::string         name;
-  bool                tied{ false };     ///< to the other mesh, as the options say; else made on its own
-  bool                oneFrame{ false }; ///< only for labels that lie in one frame: of the same scan
-  SolidMeshingOptions options;           ///< but for shells and template
+  bool                tied{ false }; ///< to the other mesh, as the options say; else made on its own
+  SolidMeshingOptions options;       ///< but for shells and template
 };
 
 /** All that the tables compare; the first is the mesh made on its own. */

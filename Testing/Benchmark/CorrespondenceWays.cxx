@@ -20,10 +20,9 @@ volumeOf(const LabelImage & image)
 std::vector<Way>
 waysToCorrespond()
 {
-  std::vector<Way> ways{ { "own", false, false, {} },
-                         { "tied", true, true, {} },
-                         { "tied, rigid", true, false, {} },
-                         { "tied, affine", true, false, {} } };
+  std::vector<Way> ways{
+    { "own", false, {} }, { "tied", true, {} }, { "tied, rigid", true, {} }, { "tied, affine", true, {} }
+  };
   ways[1].options.templateAlignment = TemplateAlignment::None;
   ways[2].options.templateAlignment = TemplateAlignment::Rigid;
   ways[3].options.templateAlignment = TemplateAlignment::Affine;

@@ -52,7 +52,7 @@ void
 writeDeformations(std::ostream & os, const Arguments & arguments)
 {
   std::vector<Way> ways = waysToCorrespond();
-  ways.push_back({ "tied, landmarks", true, true, {} });
+  ways.push_back({ "tied, landmarks", true, {} });
   ways.back().options.templateAlignment = TemplateAlignment::None;
   const analytic::Solid    solid = analytic::pearShapedSolid();
   const results::Run       first = meshAlone(results::labelImageOf(solid), arguments.shells);

@@ -173,10 +173,9 @@ writeSample(std::ostream &                   os,
 std::vector<Way>
 waysOfModels()
 {
-  std::vector<Way> ways{ { "own", false, false, {} },
-                         { "tied", true, false, {} },
-                         { "to the mean", true, false, {} },
-                         { "to the new mean", true, false, {} } };
+  std::vector<Way> ways{
+    { "own", false, {} }, { "tied", true, {} }, { "to the mean", true, {} }, { "to the new mean", true, {} }
+  };
   for (Way & way : ways)
   {
     way.options.templateAlignment = TemplateAlignment::Rigid;

@@ -20,7 +20,7 @@ namespace
 
 /** Half of the volume's range at least: rounding errors of an exact mesh must not fill the scale [1]. */
 constexpr double smallestVolumeRange = 0.1;
-constexpr double largestVolumeRange = 1.0; // a volume below 0 is none
+constexpr double largestVolumeRange = 1.0; ///< likewise at most: no volume is below 0 [1]
 
 /** Numbers that differ by less than this part of them are the same but for rounding. */
 constexpr double roundingOfEqualNumbers = 1e-9;
@@ -162,11 +162,7 @@ byQuality(const DrawnMesh & mesh, const std::string & name)
     {
       half = std::max(half, std::abs(ratio - 1.0));
     }
-    if (half > largestVolumeRange)
-    {
-      half = largestVolumeRange;
-      colours.title = "volume / mean (2: or more)";
-    }
+    half = std::min(half, largestVolumeRange); // the legend marks values beyond it
     colours.scale = divergingScale();
     colours.low = 1.0 - half;
     colours.high = 1.0 + half;
