@@ -2,7 +2,9 @@
 
 #include "FrameSearch.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -22,6 +24,9 @@ constexpr std::array<TieWeights, 7> tieWeights{
   { { 10.0, 40.0 }, { 10.0, 10.0 }, { 10.0, 3.0 }, { 10.0, 0.0 }, { 2.0, 0.0 }, { 0.5, 0.0 }, { 0.1, 0.0 } }
 };
 
+/** A boundary that its places pull off the surface is to stay within this part of a mean cell's edge of it [1]. */
+constexpr double closeInEdges = 0.5;
+
 /** A boundary that is far from the surface comes to it slowly, and the lattice with it: it tangles less. */
 std::vector<EqualisationStage>
 slowStages()
@@ -35,14 +40,46 @@ ReferenceTie::ReferenceTie(const Positions &           reference,
                            double                      volume,
                            const CellMeasure &         measure,
                            const EqualisationOptions & options)
-  : m_Volume(volume), m_Measure(measure), m_Options(options)
+  : m_Volume(volume), m_Measure(measure), m_Options(options), m_Tolerances{ options.surfaceTolerance }
 {
   m_Options.ties = {};
   m_Options.ties.reference = reference;
+  const double cells = std::pow(std::cbrt(static_cast<double>(reference.size())) - 1.0, 3.0);
+  const double close = closeInEdges * std::cbrt(volume / cells);
+  if (close < options.surfaceTolerance)
+  {
+    m_Tolerances.insert(m_Tolerances.begin(), close);
+  }
 }
 
 EqualisationResult
 ReferenceTie::tied(const HexMesh & start, const SignedDistance & phi, const ProgressCallback & progress)
+{
+  EqualisationResult result;
+  for (std::size_t t = 0; t < m_Tolerances.size() && !result.exact; ++t)
+  {
+    m_Options.surfaceTolerance = m_Tolerances[t];
+    result = tiedWithinTolerance(start, phi, progressOfPart(progress, t, m_Tolerances.size()));
+  }
+  reportProgress(progress, 1.0);
+  return result;
+}
+
+std::optional<EqualisationResult>
+ReferenceTie::drawn(const HexMesh & exact, const SignedDistance & phi, const ProgressCallback & progress)
+{
+  std::optional<EqualisationResult> result;
+  for (std::size_t t = 0; t < m_Tolerances.size() && !result; ++t)
+  {
+    m_Options.surfaceTolerance = m_Tolerances[t];
+    result = drawnWithinTolerance(exact, phi, progressOfPart(progress, t, m_Tolerances.size()));
+  }
+  reportProgress(progress, 1.0);
+  return result;
+}
+
+EqualisationResult
+ReferenceTie::tiedWithinTolerance(const HexMesh & start, const SignedDistance & phi, const ProgressCallback & progress)
 {
   const std::vector<EqualisationStage> usual = std::exchange(m_Options.directStages, slowStages());
   EqualisationResult                   best = attempt(start, phi, 0, progressOfPart(progress, 0, tieWeights.size()));
@@ -65,12 +102,11 @@ ReferenceTie::tied(const HexMesh & start, const SignedDistance & phi, const Prog
       best = std::move(stronger);
     }
   }
-  reportProgress(progress, 1.0);
   return best;
 }
 
 std::optional<EqualisationResult>
-ReferenceTie::drawn(const HexMesh & exact, const SignedDistance & phi, const ProgressCallback & progress)
+ReferenceTie::drawnWithinTolerance(const HexMesh & exact, const SignedDistance & phi, const ProgressCallback & progress)
 {
   std::optional<EqualisationResult> best;
   bool                              isExact = true;
@@ -86,7 +122,6 @@ ReferenceTie::drawn(const HexMesh & exact, const SignedDistance & phi, const Pro
       best = std::move(stronger);
     }
   }
-  reportProgress(progress, 1.0);
   return best;
 }
 
@@ -102,6 +137,10 @@ ReferenceTie::attempt(const HexMesh &          start,
   std::ostringstream text;
   text << "weights " << m_Options.ties.referenceWeight << ", " << m_Options.ties.boundaryWeight << ": "
        << (result.exact ? "exact" : "not exact");
+  if (m_Tolerances.size() > 1)
+  {
+    text << " within " << m_Options.surfaceTolerance << " mm";
+  }
   m_Attempts.push_back(text.str());
   return result;
 }

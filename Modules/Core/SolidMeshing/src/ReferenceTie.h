@@ -14,7 +14,11 @@ namespace moserhex
  *
  * The weights w_r and w_b of LatticeTies are tried from strong to weak until a mesh is exact. From that one, stronger
  * weights are tried again, each from the exact mesh before it, for as long as meshes are exact: a lattice that is on
- * the surface and untangled stays so more easily than it becomes so. The measure is kept by reference. */
+ * the surface and untangled stays so more easily than it becomes so.
+ *
+ * The pull w_b works across the surface, too. Where half a cell's edge is less than the surface tolerance of the
+ * options, meshes must come that near to count as exact; the tolerance of the options holds only when none did. The
+ * measure is kept by reference. */
 class ReferenceTie
 {
 public:
@@ -43,11 +47,18 @@ public:
 
 private:
   [[nodiscard]] EqualisationResult
+  tiedWithinTolerance(const HexMesh & start, const SignedDistance & phi, const ProgressCallback & progress);
+
+  [[nodiscard]] std::optional<EqualisationResult>
+  drawnWithinTolerance(const HexMesh & exact, const SignedDistance & phi, const ProgressCallback & progress);
+
+  [[nodiscard]] EqualisationResult
   attempt(const HexMesh & start, const SignedDistance & phi, std::size_t weights, const ProgressCallback & progress);
 
   double                   m_Volume;
   const CellMeasure &      m_Measure;
   EqualisationOptions      m_Options;
+  std::vector<double>      m_Tolerances; ///< of the boundary from the surface, one after the other [mm]
   std::vector<std::string> m_Attempts;
 };
 

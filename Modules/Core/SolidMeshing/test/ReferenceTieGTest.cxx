@@ -37,6 +37,13 @@ protected:
     return std::sqrt(sum / static_cast<double>(nodes.size()));
   }
 
+  /** Of a mean cell [mm]. */
+  [[nodiscard]] double
+  halfAnEdge() const
+  {
+    return 0.5 * std::cbrt(m_Solid.volume / static_cast<double>(m_Reference.cellCount()));
+  }
+
   static HexMesh
   meshOf(const OrderedSolid & solid)
   {
@@ -81,4 +88,30 @@ TEST_F(ReferenceTieTest, StartingFromAnywhereTheBestIsReturnedThoughNotExact)
   EXPECT_FALSE(result.shortcomings.empty());
   EXPECT_EQ(tied.attempts().size(), 7u);
   EXPECT_FALSE(tied.drawn(m_Reference, signedDistance(m_Phi), {}));
+}
+
+TEST_F(ReferenceTieTest, ABoundaryThatIsPulledStaysWithinHalfAnEdgeOfTheSurface)
+{
+  EqualisationOptions options = equalisationOptions(withShells(4));
+  options.surfaceTolerance = 5.0;
+  const HexMesh            other = meshOf(ellipsoid(Vector3(8.0, 16.0, 14.0), 0.75));
+  ReferenceTie             tied(other.nodes, m_Solid.volume, m_Volumes, options);
+  const EqualisationResult result = tied.tied(other, signedDistance(m_Phi), {});
+  EXPECT_TRUE(result.exact);
+  EXPECT_LE(result.largestDistance, halfAnEdge());
+  EXPECT_EQ(tied.attempts().front().rfind("weights 10, 40: exact within 1.40", 0), 0u) << tied.attempts().front();
+}
+
+TEST_F(ReferenceTieTest, WhereNoMeshComesThatNearTheToleranceOfTheOptionsHolds)
+{
+  EqualisationOptions options = equalisationOptions(withShells(4));
+  options.surfaceTolerance = 100.0;
+  options.directStages = { { 0.05, 20.0, 1e-6, 60 } }; // nothing holds the boundary on the surface
+  options.repairRounds = 0;
+  ReferenceTie                            tied(m_Reference.nodes, m_Solid.volume, m_Volumes, options);
+  const std::optional<EqualisationResult> drawn = tied.drawn(meshOf(m_Solid), signedDistance(m_Phi), {});
+  ASSERT_TRUE(drawn);
+  EXPECT_EQ(tied.attempts()[0].rfind("weights 0.1, 0: not exact within 1.40", 0), 0u) << tied.attempts()[0];
+  EXPECT_EQ(tied.attempts()[1], "weights 0.1, 0: exact within 100 mm");
+  EXPECT_GT(drawn->largestDistance, halfAnEdge());
 }
