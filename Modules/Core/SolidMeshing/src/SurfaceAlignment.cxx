@@ -414,6 +414,7 @@ alignToSurface(const Positions & points, const LevelSet & phi, const SurfaceAlig
                                   : robustlyFromAny<RigidSteps>(distance, points, starts, options);
   best.shift = (best.motion(middle) - middle).norm();
   best.rmsBefore = rmsAt(distance, points, {});
+  best.medianAfter = medianDistance(distance, points, best.motion);
   return best;
 }
 

@@ -4,14 +4,13 @@
 #include "FrameSearch.h"
 #include "ReferenceTie.h"
 #include "StageLog.h"
+#include "TemplatePlacement.h"
 #include "TemplateRefiner.h"
 #include "moserhex/Common/Errors.h"
-#include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
 #include <array>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -26,7 +25,7 @@ constexpr double refinementReferenceWeight = 0.1;
 constexpr std::array<double, 3> refinementParts{ { 1.0, 0.3, 0.1 } };
 
 /** Parts of the whole run, for progress only. */
-constexpr double afterAlignment = 0.1;
+constexpr double afterPlacement = 0.1;
 constexpr double afterTying = 0.5;
 
 void
@@ -52,31 +51,6 @@ requireUsable(const SolidMeshingOptions & options)
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
 }
 
-/** About the nodes' middle, to the volume. */
-void
-scaleToVolume(double volume, HexMesh & mesh)
-{
-  double enclosed = 0.0;
-  for (const double cell : cellVolumes(mesh))
-  {
-    enclosed += cell;
-  }
-  if (!(enclosed > 0.0))
-  {
-    throw InvalidInput("template: its cells have no volume");
-  }
-  Vector3 middle = Vector3::Zero();
-  for (const Vector3 & node : mesh.nodes)
-  {
-    middle += node / static_cast<double>(mesh.nodes.size());
-  }
-  const double scale = std::cbrt(volume / enclosed);
-  for (Vector3 & node : mesh.nodes)
-  {
-    node = middle + scale * (node - middle);
-  }
-}
-
 /** One run: what a step leaves for those after it. */
 class TemplateRun
 {
@@ -88,11 +62,11 @@ public:
   [[nodiscard]] SolidMeshingResult
   run(const ProgressCallback & progress)
   {
-    align();
-    reportProgress(progress, afterAlignment);
+    place();
+    reportProgress(progress, afterPlacement);
     const bool isRefined = m_Options.refinement.any();
     const bool hasDensity = m_Options.density != nullptr;
-    tie(progressBetween(progress, afterAlignment, isRefined || hasDensity ? afterTying : 1.0));
+    tie(progressBetween(progress, afterPlacement, isRefined || hasDensity ? afterTying : 1.0));
     if (isRefined)
     {
       refine(progressBetween(progress, afterTying, 1.0));
@@ -111,35 +85,16 @@ public:
 
 private:
   void
-  align()
+  place()
   {
-    m_Reference = *m_Options.templateMesh;
-    scaleToVolume(m_Volume, m_Reference); // a smaller one would come to lie against a side of the solid
-    std::ostringstream note;
-    if (m_Options.templateNodes)
+    PlacedTemplate placed = placeTemplate(m_Options, m_Phi, m_Volume);
+    m_Reference = std::move(placed.mesh);
+    m_Result.alignment = placed.alignment;
+    if (placed.alignment && !placed.alignment->report.converged)
     {
-      m_Reference.nodes = *m_Options.templateNodes;
-      note << "brought by a given transform";
+      m_Result.warnings.emplace_back("the alignment of the template stopped before its minimum");
     }
-    else if (m_Options.templateAlignment != TemplateAlignment::None)
-    {
-      SurfaceAlignmentOptions options;
-      options.kind = m_Options.templateAlignment == TemplateAlignment::Affine ? SurfaceAlignmentKind::Affine
-                                                                              : SurfaceAlignmentKind::Rigid;
-      m_Result.alignment = alignToSurface(boundaryPoints(m_Reference), m_Phi, options);
-      for (Vector3 & node : m_Reference.nodes)
-      {
-        node = m_Result.alignment->motion(node);
-      }
-      note << "turned by " << m_Result.alignment->motion.angle() << " degrees, surface rms "
-           << m_Result.alignment->rmsBefore << " -> " << m_Result.alignment->rmsAfter << " mm";
-      if (!m_Result.alignment->report.converged)
-      {
-        m_Result.warnings.emplace_back("the alignment of the template stopped before its minimum");
-      }
-    }
-    scaleToVolume(m_Volume, m_Reference);
-    m_Log.add("template", m_Reference, note.str());
+    m_Log.add("template", m_Reference, placed.note);
   }
 
   void

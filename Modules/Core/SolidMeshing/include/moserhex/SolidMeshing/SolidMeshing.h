@@ -202,12 +202,13 @@ meshSolid(const LevelSet &            ordering,
 /** Stage J alone, from another mesh: ties a solid to options.templateMesh, so that lattice indices are the same places
  * in both, as far as their shapes tell.
  *
- * The template is scaled to the solid's volume about its middle and brought to it by options.templateAlignment; then
- * its boundary is drawn onto the surface, on which it slides, all cells are made equal, and of all ways to do so that
- * one is sought which bends the template least and leaves its boundary nodes nearest to their places
- * (LatticeTies::reference). The less it may be bent, the more like it the mesh is, and the more seldom it becomes
- * exact: weights are tried from large to small. Where no weight leads to an exact mesh, options.ownMesh is drawn to the
- * template instead, by weights from small to large.
+ * The template is brought to the solid by options.templateAlignment, in the solid's size or, where the two differ by a
+ * part only, in its own, and scaled to the solid's volume about its middle; then its boundary is drawn onto the
+ * surface, on which it slides, all cells are made equal, and of all ways to do so that one is sought which bends the
+ * template least and leaves its boundary nodes nearest to their places (LatticeTies::reference). The less it may be
+ * bent, the more like it the mesh is, and the more seldom it becomes exact: weights are tried from large to small.
+ * Where no weight leads to an exact mesh, options.ownMesh is drawn to the template instead, by weights from small to
+ * large.
  *
  * With options.refinement the exact mesh is then drawn, through exact ones, to where landmarks belong, and to where one
  * subject's image is like the other's (LatticeTies.h), images from smooth to sharp. The last exact mesh counts; what

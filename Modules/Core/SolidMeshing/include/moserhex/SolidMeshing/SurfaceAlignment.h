@@ -25,11 +25,12 @@ struct SurfaceAlignmentOptions
 /** What alignToSurface found. */
 struct SurfaceAlignmentResult
 {
-  AffineTransform motion;           ///< takes the points to the surface
-  double          shift{ 0.0 };     ///< of the points' middle [mm]
-  double          rmsBefore{ 0.0 }; ///< of the points to the surface as they were given [mm]
-  double          rmsAfter{ 0.0 };  ///< [mm]
-  StepReport      report;           ///< residual = rmsAfter
+  AffineTransform motion;             ///< takes the points to the surface
+  double          shift{ 0.0 };       ///< of the points' middle [mm]
+  double          rmsBefore{ 0.0 };   ///< of the points to the surface as they were given [mm]
+  double          rmsAfter{ 0.0 };    ///< [mm]
+  double          medianAfter{ 0.0 }; ///< of the distances' amounts [mm]
+  StepReport      report;             ///< residual = rmsAfter
 };
 
 /** The motion that brings points of one surface nearest to another,
