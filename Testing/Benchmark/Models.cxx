@@ -169,12 +169,15 @@ writeSample(std::ostream &                   os,
   os << (remarks.empty() ? "" : "\n");
 }
 
-/** Own; rigid ties to the medoid; and to the mean of what came of these, twice. */
+constexpr std::size_t modesOfShapes = 5;
+
+/** Own; rigid ties to the medoid; to the mean of what came of these; and to each subject's shape in a model of these.
+ */
 std::vector<Way>
 waysOfModels()
 {
   std::vector<Way> ways{
-    { "own", false, {} }, { "tied", true, {} }, { "to the mean", true, {} }, { "to the new mean", true, {} }
+    { "own", false, {} }, { "tied", true, {} }, { "to the mean", true, {} }, { "to its shape", true, {} }
   };
   for (Way & way : ways)
   {
@@ -192,10 +195,8 @@ writeModels(std::ostream & os, const Arguments & arguments)
   for (const auto & folder : arguments.folders)
   {
     Sample sample = meshSample(filesOfSubjects(folder, arguments), { ways[0], ways[1] }, arguments);
-    for (std::size_t way = 2; way < ways.size(); ++way)
-    {
-      tieToMean(ways[way], arguments.alignment, sample);
-    }
+    tieToMean(ways[2], arguments.alignment, sample);
+    tieToModel(ways[3], arguments.alignment, modesOfShapes, sample);
     std::vector<Correspondence> all;
     for (std::size_t way = 0; way < ways.size(); ++way)
     {

@@ -66,16 +66,28 @@ alignmentOf(const std::vector<HexMesh> & meshes, AlignmentKind kind)
   return result.transforms;
 }
 
+/** A row a subject. */
+Eigen::MatrixXd
+rowsOf(const std::vector<Positions> & subjects)
+{
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(subjects.size()),
+                       static_cast<Eigen::Index>(3 * subjects.front().size()));
+  for (std::size_t s = 0; s < subjects.size(); ++s)
+  {
+    rows.row(static_cast<Eigen::Index>(s)) = coordinatesOf(subjects[s]).transpose();
+  }
+  return rows;
+}
+
 ModelQuality
 pointQuality(const std::vector<SubjectSurface> & subjects)
 {
-  const std::size_t points = subjects.front().points.size();
-  Eigen::MatrixXd   rows(static_cast<Eigen::Index>(subjects.size()), static_cast<Eigen::Index>(3 * points));
-  for (std::size_t s = 0; s < subjects.size(); ++s)
+  std::vector<Positions> points;
+  for (const SubjectSurface & subject : subjects)
   {
-    rows.row(static_cast<Eigen::Index>(s)) = coordinatesOf(subjects[s].points).transpose();
+    points.push_back(subject.points);
   }
-  return modelQuality(fitShapeModel(MatrixTable(std::move(rows))).scores, points);
+  return modelQuality(fitShapeModel(MatrixTable(rowsOf(points))).scores, points.front().size());
 }
 
 /** Aligns by Procrustes, then measures. */
@@ -196,6 +208,22 @@ meanMesh(const std::vector<HexMesh> & meshes, AlignmentKind alignment, Sample & 
   return std::move(shape.mesh);
 }
 
+/** Ties a subject by one more way. */
+void
+addTied(const Way & way, const HexMesh & other, Subject & subject, Sample & sample)
+{
+  std::cerr << subject.name << ", " << way.name << std::endl;
+  const results::Run run = meshBy(way, readLabelImage(subject.file.string()), other);
+  addRemark(way, subject.name, run, sample);
+  subject.meshes.push_back(run.pipeline->GetHexMesh());
+}
+
+std::vector<HexMesh>
+lastMeshes(const Sample & sample)
+{
+  return meshesBy(sample, sample.subjects.front().meshes.size() - 1);
+}
+
 void
 requireEnough(const Sample & sample)
 {
@@ -285,13 +313,32 @@ meshSample(const std::vector<std::filesystem::path> & files, const std::vector<W
 void
 tieToMean(const Way & way, AlignmentKind alignment, Sample & sample)
 {
-  const HexMesh mean = meanMesh(meshesBy(sample, sample.subjects.front().meshes.size() - 1), alignment, sample);
+  const HexMesh mean = meanMesh(lastMeshes(sample), alignment, sample);
   for (Subject & subject : sample.subjects)
   {
-    std::cerr << subject.name << ", " << way.name << std::endl;
-    const results::Run run = meshBy(way, readLabelImage(subject.file.string()), mean);
-    addRemark(way, subject.name, run, sample);
-    subject.meshes.push_back(run.pipeline->GetHexMesh());
+    addTied(way, mean, subject, sample);
+  }
+}
+
+void
+tieToModel(const Way & way, AlignmentKind alignment, std::size_t modes, Sample & sample)
+{
+  std::vector<HexMesh>                   shapes = lastMeshes(sample);
+  const std::vector<SimilarityTransform> transforms = alignmentOf(shapes, alignment);
+  std::vector<Positions>                 aligned;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    aligned.push_back(transformed(shapes[s].nodes, transforms[s]));
+  }
+  const Eigen::MatrixXd rows = rowsOf(aligned);
+  ShapeModelOptions     options;
+  options.maximumModes = modes;
+  const ShapeModel model = fitShapeModel(MatrixTable(rows), options).model;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    const Eigen::VectorXd scores = scoresOf(model, rows.row(static_cast<Eigen::Index>(s)).transpose());
+    shapes[s].nodes = transformed(pointsOf(reconstruct(model, scores)), inverseOf(transforms[s]));
+    addTied(way, shapes[s], sample.subjects[s], sample);
   }
 }
 

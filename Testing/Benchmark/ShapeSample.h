@@ -47,6 +47,11 @@ meshSample(const std::vector<std::filesystem::path> & files,
 void
 tieToMean(const Way & way, AlignmentKind alignment, Sample & sample);
 
+/** One more way: every subject is tied to its own shape as the model of their last meshes has it, aligned likewise,
+ * with so many modes. What differs from subject to subject without any pattern is left out of that shape. */
+void
+tieToModel(const Way & way, AlignmentKind alignment, std::size_t modes, Sample & sample);
+
 /** Corresponding points of all subjects of a sample on their surfaces: what a model makes of them. */
 struct Correspondence
 {

@@ -66,10 +66,10 @@ surfaceModelQuality(const std::vector<SubjectSurface> & subjects,
                     const std::vector<std::size_t> &    modes,
                     const SurfaceModelQualityOptions &  options)
 {
-  if (subjects.size() < 3 || options.samples == 0)
+  if (subjects.size() < 3 || options.pairs == 0)
   {
     throw InvalidInput("surface model quality: " + std::to_string(subjects.size()) + " subjects, " +
-                       std::to_string(options.samples) + " samples, need at least 3 and 1");
+                       std::to_string(options.pairs) + " pairs, need at least 3 and 1");
   }
   const Matrix                rows = rowsOf(subjects);
   const auto                  columns = static_cast<Eigen::Index>(modes.size());
@@ -95,15 +95,20 @@ surfaceModelQuality(const std::vector<SubjectSurface> & subjects,
   });
 
   const ShapeModel all = modelOf(rows);
-  Matrix           random(static_cast<Eigen::Index>(options.samples), columns);
-  parallelFor(options.samples, options.threads, [&](std::size_t sample) {
-    const Vector scores = randomScores(all.variances, sample, options.seed);
+  const auto       distanceToNearest = [&](const Vector & scores, std::size_t kept) {
+    const Positions points = shapeOf(all, scores, kept);
+    Eigen::Index    nearest = 0;
+    (void)(rows.rowwise() - coordinatesOf(points).transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return distanceTo(static_cast<std::size_t>(nearest), points);
+  };
+  Matrix random(static_cast<Eigen::Index>(options.pairs), columns);
+  parallelFor(options.pairs, options.threads, [&](std::size_t pair) {
+    const Vector scores = randomScores(all.variances, pair, options.seed);
     for (Eigen::Index m = 0; m < columns; ++m)
     {
-      const Positions points = shapeOf(all, scores, modes[static_cast<std::size_t>(m)]);
-      Eigen::Index    nearest = 0;
-      (void)(rows.rowwise() - coordinatesOf(points).transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-      random(static_cast<Eigen::Index>(sample), m) = distanceTo(static_cast<std::size_t>(nearest), points);
+      const std::size_t kept = modes[static_cast<std::size_t>(m)];
+      random(static_cast<Eigen::Index>(pair), m) =
+        0.5 * (distanceToNearest(scores, kept) + distanceToNearest(-scores, kept));
     }
   });
 

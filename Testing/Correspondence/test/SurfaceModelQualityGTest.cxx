@@ -39,7 +39,7 @@ SurfaceModelQuality
 qualityOf(const std::vector<SubjectSurface> & subjects, unsigned int threads = 0)
 {
   SurfaceModelQualityOptions options;
-  options.samples = 20;
+  options.pairs = 10;
   options.threads = threads;
   return surfaceModelQuality(subjects, span, { 1, 7 }, options);
 }

@@ -22,7 +22,7 @@ using SpannedSurface = std::function<TriangleMesh(const Positions & points)>;
 
 struct SurfaceModelQualityOptions
 {
-  std::size_t   samples{ 100 }; ///< of the model, for specificity
+  std::size_t   pairs{ 200 }; ///< of random shapes of the model, on either side of its mean, for specificity
   std::uint64_t seed{ 1 };
   double        spacing{ 1.0 }; ///< as SurfaceDistanceOptions [mm]
   unsigned int  threads{ 0 };   ///< 0: all; the result does not depend on it
@@ -34,7 +34,7 @@ struct SurfaceModelQuality
   std::vector<double> generalisation;      ///< [mm]
   std::vector<double> generalisationError; ///< standard error of that mean over the subjects [mm]
   std::vector<double> specificity;         ///< [mm]
-  std::vector<double> specificityError;    ///< standard error of that mean over the samples [mm]
+  std::vector<double> specificityError;    ///< standard error of that mean over the pairs [mm]
 };
 
 /** Generalisation and specificity of a model of points, measured on surfaces.
@@ -44,10 +44,13 @@ struct SurfaceModelQuality
  * its points span, and its distance is the mean of symmetricSurfaceDistance to a real surface:
  *
  *   generalisation  of the subject left out, as the modes of the others reconstruct it, to its own surface
- *   specificity     of a random shape (randomScores) to the surface of the subject whose points are nearest
+ *   specificity     of a random shape to the surface of the subject whose points are nearest
+ *
+ * Random shapes come in pairs, with scores b (randomScores) and -b: the sign of a mode means nothing, and with unpaired
+ * shapes it changes the mean by more than ways differ.
  *
  * \param modes  numbers of modes; more than there are count as all
- * \throws InvalidInput  fewer than three subjects, no samples, or as fitShapeModel and symmetricSurfaceDistance
+ * \throws InvalidInput  fewer than three subjects, no pairs, or as fitShapeModel and symmetricSurfaceDistance
  * \note Deterministic for any number of threads. */
 [[nodiscard]] SurfaceModelQuality
 surfaceModelQuality(const std::vector<SubjectSurface> & subjects,
