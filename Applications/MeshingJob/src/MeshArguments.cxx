@@ -99,6 +99,9 @@ addMeshingOptions(CLI::App & command, MeshCommandOptions & options)
   command.add_option(
     "--image", options.image, "Image of the label's subject: the mesh is drawn to where it is like --template-image");
   command.add_option("--template-image", options.templateImage, "Image of the template's subject, of the same kind");
+  command.add_flag("--local-growth",
+                   options.localGrowth,
+                   "Every cell grows or shrinks as --image or --landmarks show, in place of all cells alike");
   command.add_option("--density",
                      options.density,
                      "Positive image: every cell gets the same mass, not volume; around the label it does not count; "
@@ -212,6 +215,10 @@ meshingArguments(const MeshCommandOptions & options)
     {
       add(name, file);
     }
+  }
+  if (options.localGrowth)
+  {
+    add("local-growth", "true");
   }
   if (!options.density.empty())
   {

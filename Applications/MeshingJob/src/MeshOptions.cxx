@@ -41,6 +41,10 @@ requireUsableTemplate(const MeshCommandOptions & options)
   {
     throw UsageError("--image and --template-image need each other");
   }
+  if (options.localGrowth && options.landmarks.empty() && options.image.empty())
+  {
+    throw UsageError("--local-growth needs --image or --landmarks: shapes do not show it");
+  }
   if (options.templateMesh.empty())
   {
     if (!options.landmarks.empty() || !options.image.empty() || isTransformName(options.align))

@@ -28,6 +28,7 @@ struct MeshCommandOptions
   std::string  templateLandmarks;                   ///< ... and the same places on the template; empty: none
   std::string  image;                               ///< an image of the label's subject, ...
   std::string  templateImage;                       ///< ... and one of the template's; empty: none
+  bool         localGrowth{ false };                ///< every cell grows as landmarks and images show
   std::string  density;                             ///< image of a positive density; empty: volumes
   bool         allowPartial{ false };               ///< write a mesh that is not exact, with a warning
   std::string  shellMethod{ "auto" };               ///< auto | chan-vese | snapshots | eikonal

@@ -48,6 +48,11 @@ describeTies(const SolidMeshingResult & result, RunReport::Template & tied)
     tied.imageDifference =
       RunReport::Residual{ result.refinement->imageDifference->before, result.refinement->imageDifference->after };
   }
+  if (result.refinement && result.refinement->growth)
+  {
+    const LocalGrowth & growth = *result.refinement->growth;
+    tied.growth = RunReport::Growth{ growth.smallest, growth.largest, growth.limited };
+  }
 }
 
 void
@@ -188,7 +193,7 @@ printSummary(const RunReport & report, const ChosenSolid & solid, const MeshComm
   {
     std::printf("\n%s: variance of the %s %.1e, %s",
                 report.exact->reached ? "exact" : "NOT EXACT",
-                report.density ? "masses" : "volumes",
+                equalMeasureOf(report).plural,
                 report.exact->variance,
                 report.exact->certified ? "every cell certified" : "cells not certified");
   }

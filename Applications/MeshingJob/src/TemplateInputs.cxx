@@ -108,6 +108,7 @@ tiedTo(HexMesh mesh, const MeshCommandOptions & options)
     inputs.refinement.landmarks = std::move(landmarks.points);
     inputs.warnings = std::move(landmarks.warnings);
   }
+  inputs.refinement.localGrowth = options.localGrowth;
   if (!options.image.empty())
   {
     inputs.refinement.images = CorrespondingImages{ readImage(options.templateImage, options, inputs.warnings),

@@ -39,6 +39,7 @@ def mesh(
     template_landmarks: Optional[Array] = None,
     image: Union[None, Array, Tuple[Array, Array]] = None,
     template_image: Optional[Tuple[Array, Array]] = None,
+    local_growth: bool = False,
     threads: int = 0,
     allow_partial: bool = False,
     progress: Optional[Callable[[float], Any]] = None,
@@ -70,6 +71,7 @@ def mesh(
     image          an image of this subject, to refine the tie by: an array on the voxels of `labels`, or a pair
                    (array, affine), and
     template_image a pair (array, affine in the template's space): an image of the same kind of the template's subject
+    local_growth   every cell grows or shrinks as landmarks or images show, in place of all cells alike
     threads        0: all of the machine's; the result does not depend on it
     allow_partial  give out a mesh that is not exact, with a warning
     progress       called in this thread with the part done, in [0, 1]; what it raises ends the work, and so does returning
@@ -113,6 +115,7 @@ def mesh(
             image_affine,
             template_image,
             template_affine,
+            local_growth,
             threads,
             allow_partial,
             progress,

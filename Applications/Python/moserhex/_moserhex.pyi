@@ -45,6 +45,7 @@ def mesh(
     image_affine: Any,
     template_image: Any,
     template_image_affine: Any,
+    local_growth: bool,
     threads: int,
     allow_partial: bool,
     progress: Callable[[float], Any] | None,

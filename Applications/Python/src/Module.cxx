@@ -109,6 +109,7 @@ makeMesh(const py::object &               labels,
          const py::object &               imageAffine,
          const py::object &               templateImage,
          const py::object &               templateImageAffine,
+         bool                             localGrowth,
          long long                        threads,
          bool                             allowPartial,
          const py::object &               progress)
@@ -143,7 +144,8 @@ makeMesh(const py::object &               labels,
   {
     densityImage = scalarsFrom(densityName, density, densityAffine, ownSpace);
   }
-  const TemplateArguments tie{ landmarks, templateLandmarks, image, imageAffine, templateImage, templateImageAffine };
+  const TemplateArguments tie{ landmarks,     templateLandmarks,   image,      imageAffine,
+                               templateImage, templateImageAffine, localGrowth };
   TemplateRefinement      refinement = refinementFrom(tie, templateMesh, ownSpace);
   Interruption            interruption(progress);
   try

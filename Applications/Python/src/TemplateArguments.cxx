@@ -55,8 +55,13 @@ refinementFrom(const TemplateArguments & arguments, const PythonMesh * templateM
 {
   const bool hasLandmarks =
     isPair(arguments.landmarks, arguments.templateLandmarks, "landmarks and template_landmarks");
-  const bool         hasImages = isPair(arguments.image, arguments.templateImage, "image and template_image");
+  const bool hasImages = isPair(arguments.image, arguments.templateImage, "image and template_image");
+  if (arguments.localGrowth && !hasLandmarks && !hasImages)
+  {
+    throw InvalidInput(ErrorCode::Usage, "local_growth needs image or landmarks: shapes do not show it");
+  }
   TemplateRefinement refinement;
+  refinement.localGrowth = arguments.localGrowth;
   if (templateMesh == nullptr)
   {
     if (hasLandmarks || hasImages)

@@ -16,7 +16,8 @@ struct TemplateArguments
   pybind11::object image;
   pybind11::object imageAffine; ///< in the space of the label
   pybind11::object templateImage;
-  pybind11::object templateImageAffine; ///< in the space of the template
+  pybind11::object templateImageAffine;  ///< in the space of the template
+  bool             localGrowth{ false }; ///< every cell grows as landmarks and images show
 };
 
 /** \param templateMesh  nullptr: none \param space  of the label

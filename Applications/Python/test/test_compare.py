@@ -138,6 +138,10 @@ class Template(FolderTest):
                 ("--image", "bi.nrrd", "--template-image", "ai.nrrd"),
                 {"image": later, "template_image": (pattern, RAS)},
             ),
+            (
+                ("--image", "bi.nrrd", "--template-image", "ai.nrrd", "--local-growth"),
+                {"image": later, "template_image": (pattern, RAS), "local_growth": True},
+            ),
         ):
             with self.subTest(arguments):
                 self.command(
@@ -150,6 +154,8 @@ class Template(FolderTest):
                 residuals = sorted(key for key in said if key.endswith(("_before", "_after")))
                 self.assertEqual(len(residuals), 2, said)
                 self.assertEqual([said[key] for key in residuals], [command_s[key] for key in residuals])
+                self.assertEqual(said.get("local_growth"), command_s.get("local_growth"))
+                self.assertEqual("local_growth" in said, "local_growth" in options)
                 self.assertLess(said[residuals[0]], said[residuals[1]])  # after, before
 
     def test_refinement_that_cannot_be_is_refused(self):
@@ -159,6 +165,7 @@ class Template(FolderTest):
         for code, options in (
             ("E_USAGE", {"landmarks": three}),
             ("E_USAGE", {"image": LABELS}),
+            ("E_USAGE", {"local_growth": True}),
             ("E_USAGE", {"template": None, "landmarks": three, "template_landmarks": three}),
             ("E_DIMENSION", {"landmarks": three, "template_landmarks": three[:2]}),
             ("E_DIMENSION", {"landmarks": three[:0], "template_landmarks": three[:0]}),

@@ -26,7 +26,6 @@ lastQuality(const RunReport & report)
 void
 judgeExactness(const RunReport & report, Reasons & reasons)
 {
-  const std::string measures = report.density ? "mass" : "volume";
   if (!report.exact)
   {
     const StageQuality * quality = lastQuality(report);
@@ -50,9 +49,9 @@ judgeExactness(const RunReport & report, Reasons & reasons)
   }
   if (report.exact->reached)
   {
-    reasons.push_back(
-      { Trust::Trust,
-        "Every cell has the same " + measures + " (variance " + shortNumber(report.exact->variance, 2) + ")." });
+    reasons.push_back({ Trust::Trust,
+                        std::string("Every cell has the same ") + equalMeasureOf(report).singular + " (variance " +
+                          shortNumber(report.exact->variance, 2) + ")." });
   }
   for (const std::string & shortcoming : report.exact->shortcomings)
   {

@@ -126,6 +126,11 @@ templateAdvice(const RunReport::Template & tied)
   {
     text += " The images' difference is 0 where both show the same at the same nodes.";
   }
+  if (tied.growth)
+  {
+    text += " Cells were free to grow as these show, by " + shortNumber(tied.growth->smallest, 2) + " to " +
+            shortNumber(tied.growth->largest, 2) + " times as much as the organ: moserhex compare shows where.";
+  }
   return text;
 }
 
@@ -163,7 +168,7 @@ keyFigures(const RunReport & report)
                       card("Cells", std::to_string(report.mesh.cells), std::to_string(report.mesh.nodes) + " nodes");
   if (report.exact)
   {
-    cards += card(report.density ? "Variance of the masses" : "Variance of the volumes",
+    cards += card(std::string("Variance of the ") + equalMeasureOf(report).plural,
                   shortNumber(report.exact->variance, 2),
                   report.exact->certified ? "every cell certified" : "cells not certified");
   }

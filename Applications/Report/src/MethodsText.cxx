@@ -100,6 +100,11 @@ templateWords(const RunReport::Template & tied)
     text += "Images of both drew it from a difference of " + shortNumber(tied.imageDifference->before, 2) + " to " +
             shortNumber(tied.imageDifference->after, 2) + " standard deviations. ";
   }
+  if (tied.growth)
+  {
+    text += "Cells were free to grow as these show: from " + shortNumber(tied.growth->smallest, 2) + " to " +
+            shortNumber(tied.growth->largest, 2) + " times as much as the organ. ";
+  }
   return text;
 }
 
@@ -136,7 +141,7 @@ resultSentence(const RunReport & report, Citations & citations)
   text += ". ";
   if (report.exact && report.exact->reached)
   {
-    text += std::string("All cells have the same ") + (report.density ? "mass" : "volume") + " (variance " +
+    text += std::string("All cells have the same ") + equalMeasureOf(report).singular + " (variance " +
             shortNumber(report.exact->variance, 2) + ")";
     text += report.exact->certified
               ? ", and their Jacobian determinants are positive everywhere, as their Bernstein coefficients certify " +

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace moserhex
 {
@@ -74,6 +75,44 @@ VolumeMeasure::evaluate(const HexMesh &       mesh,
                         CellGradients *       gradients) const
 {
   evaluateCells(mesh, cellsPerBlock, threads, measures, gradients, volumeOfCell);
+}
+
+SharedVolumeMeasure::SharedVolumeMeasure(std::vector<double> shares) : m_Shares(std::move(shares))
+{
+  double sum = 0.0;
+  for (const double share : m_Shares)
+  {
+    if (!(share > 0.0) || !std::isfinite(share))
+    {
+      throw InvalidInput("cell measures: a share of " + std::to_string(share) + ", need positive and finite");
+    }
+    sum += share;
+  }
+  if (m_Shares.empty())
+  {
+    throw InvalidInput("cell measures: no shares");
+  }
+  for (double & share : m_Shares)
+  {
+    share *= static_cast<double>(m_Shares.size()) / sum;
+  }
+}
+
+void
+SharedVolumeMeasure::evaluate(const HexMesh &       mesh,
+                              unsigned int          threads,
+                              std::vector<double> & measures,
+                              CellGradients *       gradients) const
+{
+  VolumeMeasure().evaluate(mesh, threads, measures, gradients);
+  for (std::size_t cell = 0; cell < measures.size(); ++cell)
+  {
+    measures[cell] /= m_Shares[cell];
+    if (gradients != nullptr)
+    {
+      gradients->col(static_cast<Eigen::Index>(cell)) /= m_Shares[cell];
+    }
+  }
 }
 
 MeasureEquality

@@ -56,6 +56,12 @@ public:
   [[nodiscard]] EqualisationResult
   result() const;
 
+  [[nodiscard]] const HexMesh &
+  mesh() const
+  {
+    return m_Lattice.mesh();
+  }
+
 private:
   /** Raises the weight of the volumes until the mean square deviation is below the goal. */
   void

@@ -81,6 +81,11 @@ LatticeOptimiser::energy(const Eigen::VectorXd & x, const EqualisationStage & st
   value += m_Attraction.addEnergy(x, stage.surfaceWeight, gradient);
   value += m_Coverage.addEnergy(x, stage.surfaceWeight, gradient);
   value += m_Ties.add(m_Layout, x, m_Threads, gradient);
+  if (m_RestGradient.size() > 0)
+  {
+    value -= m_RestGradient.dot(x);
+    gradient -= m_RestGradient;
+  }
   if (m_BarrierWeight > 0.0)
   {
     value += addBezierBarrier(m_Layout, x, m_BarrierCells, m_BarrierMargin, m_BarrierWeight, gradient);
@@ -92,6 +97,18 @@ LatticeOptimiser::energy(const Eigen::VectorXd & x, const EqualisationStage & st
   return value;
 }
 
+void
+LatticeOptimiser::updateRestGradient(const EqualisationStage & stage)
+{
+  if (m_Ties.rest().size() == 0)
+  {
+    return;
+  }
+  const ShapeEnergyWeights shapes{ stage.regularisation, 0.0, stage.power, stage.angleWeight };
+  m_RestGradient.setZero(m_Layout.size());
+  (void)addShapeEnergy(m_Layout, m_Ties.rest(), m_TargetVolumes, shapes, m_Threads, m_RestGradient);
+}
+
 LimitedMemoryBfgsResult
 LatticeOptimiser::minimise(Eigen::VectorXd &         x,
                            const EqualisationStage & stage,
@@ -101,6 +118,7 @@ LatticeOptimiser::minimise(Eigen::VectorXd &         x,
   const auto function = [&](const Eigen::VectorXd & at, Eigen::VectorXd & gradient) {
     return energy(at, stage, gradient);
   };
+  updateRestGradient(stage);
   const auto precondition = [this](Eigen::VectorXd & v) {
     m_InverseLaplacian.applyInPlace(componentsOf(m_Layout, v), m_Threads);
   };

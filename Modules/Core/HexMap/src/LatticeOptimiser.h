@@ -81,6 +81,10 @@ public:
            const ProgressCallback &  progress);
 
 private:
+  /** Before a minimisation by a stage: the shapes' energy depends on it. */
+  void
+  updateRestGradient(const EqualisationStage & stage);
+
   LatticeLayout            m_Layout;
   SurfaceAttraction        m_Attraction;
   SurfaceCoverage          m_Coverage;
@@ -95,6 +99,7 @@ private:
   double                   m_CornerGoal{ 1.0 };
   double                   m_CornerWeight{ 0.0 };
   TieEnergy                m_Ties;
+  Eigen::VectorXd          m_RestGradient; ///< of the cells' shapes at the lattice at rest; empty: there is none
 };
 
 } // namespace moserhex

@@ -17,6 +17,11 @@ TieEnergy::TieEnergy(const LatticeLayout & layout, LatticeTies ties, const Vecto
     m_Reference = latticeVector(layout, m_Ties.reference, origin, unit);
     m_Ties.reference = {};
   }
+  if (!m_Ties.rest.empty())
+  {
+    m_Rest = latticeVector(layout, m_Ties.rest, origin, unit);
+    m_Ties.rest = {};
+  }
   for (LatticeLandmark & landmark : m_Ties.landmarks)
   {
     landmark.position = (landmark.position - origin) / unit;

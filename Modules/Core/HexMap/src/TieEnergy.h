@@ -20,9 +20,17 @@ public:
   [[nodiscard]] double
   add(const LatticeLayout & layout, const Eigen::VectorXd & x, unsigned int threads, Eigen::VectorXd & gradient) const;
 
+  /** LatticeTies::rest in units; empty: none. */
+  [[nodiscard]] const Eigen::VectorXd &
+  rest() const
+  {
+    return m_Rest;
+  }
+
 private:
   LatticeTies     m_Ties; ///< landmarks and image in units; the reference's positions are in m_Reference
   Eigen::VectorXd m_Reference;
+  Eigen::VectorXd m_Rest;
 };
 
 } // namespace moserhex

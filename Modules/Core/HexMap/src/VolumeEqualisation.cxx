@@ -59,6 +59,8 @@ requireTies(const LatticeTies & ties, const HexMesh & start)
 {
   require(ties.reference.empty() || ties.reference.size() == start.nodes.size(),
           "a reference must have as many nodes as the start");
+  require(ties.rest.empty() || ties.rest.size() == start.nodes.size(),
+          "a lattice at rest must have as many nodes as the start");
   require(ties.referenceWeight >= 0.0 && ties.boundaryWeight >= 0.0 && ties.landmarkWeight >= 0.0 &&
             ties.imageWeight >= 0.0,
           "the weights of ties must not be negative");
@@ -72,6 +74,39 @@ requireTies(const LatticeTies & ties, const HexMesh & start)
             "a landmark lies on a node that does not exist");
     require(landmark.position.allFinite(), "a landmark belongs at a point that is not finite");
   }
+}
+
+int
+wantedNodesPerSide(const HexMesh & start, const EqualisationOptions & options)
+{
+  return options.nodesPerSide == 0 ? start.nodesPerSide : options.nodesPerSide;
+}
+
+void
+requireProblem(const HexMesh &             start,
+               const SignedDistance &      phi,
+               double                      volume,
+               double                      total,
+               const EqualisationOptions & options)
+{
+  requireValid(start);
+  require(volume > 0.0 && std::isfinite(volume), "the volume must be positive and finite");
+  require(total > 0.0 && std::isfinite(total), "the total must be positive and finite");
+  require(static_cast<bool>(phi), "a surface is needed");
+  requireStages(options.coarseStages);
+  requireStages(options.finestStages);
+  requireStages(options.directStages);
+  require(options.repairRounds >= 0 && options.repairMargin > 0.0, "repair options out of range");
+  require(options.narrowScaledJacobian >= 0.0 && options.angleWeight >= 0.0, "polish options out of range");
+  require(options.polishRounds >= 0, "number of polish rounds must not be negative");
+  require(options.surfaceTolerance > 0.0 && options.coverageTolerance >= 0.0, "the tolerances must be positive");
+  const int  n = wantedNodesPerSide(start, options);
+  const bool isPadded = start.paddingLayers > 0;
+  require(n >= start.nodesPerSide, "the lattice wanted is coarser than the one given");
+  require(!isPadded || n == start.nodesPerSide, "a mesh with padding is not refined");
+  require(!options.ties.any() || (!isPadded && n == start.nodesPerSide),
+          "a mesh that is tied is neither padded nor refined");
+  requireTies(options.ties, start);
 }
 
 /** Ties that an exact start may not have followed yet. */
@@ -149,26 +184,9 @@ equaliseMeasures(const HexMesh &             start,
                  const EqualisationOptions & options,
                  const ProgressCallback &    progress)
 {
-  requireValid(start);
-  require(volume > 0.0 && std::isfinite(volume), "the volume must be positive and finite");
-  require(total > 0.0 && std::isfinite(total), "the total must be positive and finite");
-  require(static_cast<bool>(phi), "a surface is needed");
-  requireStages(options.coarseStages);
-  requireStages(options.finestStages);
-  requireStages(options.directStages);
-  require(options.repairRounds >= 0 && options.repairMargin > 0.0, "repair options out of range");
-  require(options.narrowScaledJacobian >= 0.0 && options.angleWeight >= 0.0, "polish options out of range");
-  require(options.polishRounds >= 0, "number of polish rounds must not be negative");
-  require(options.surfaceTolerance > 0.0 && options.coverageTolerance >= 0.0, "the tolerances must be positive");
-  const int  n = options.nodesPerSide == 0 ? start.nodesPerSide : options.nodesPerSide;
-  const bool isPadded = start.paddingLayers > 0;
-  require(n >= start.nodesPerSide, "the lattice wanted is coarser than the one given");
-  require(!isPadded || n == start.nodesPerSide, "a mesh with padding is not refined");
-  const bool isTied = options.ties.any();
-  const bool keepsSize = isPadded || isTied;
-  require(!isTied || (!isPadded && n == start.nodesPerSide), "a mesh that is tied is neither padded nor refined");
-  requireTies(options.ties, start);
-
+  requireProblem(start, phi, volume, total, options);
+  const int                 n = wantedNodesPerSide(start, options);
+  const bool                keepsSize = start.paddingLayers > 0 || options.ties.any();
   const Stopwatch           stopwatch;
   const EqualisationProblem problem{
     phi, volume, measure, total, options, surfacePoints(start.nodes, phi, volume, surfacePointsFor(n), options.threads)
@@ -206,6 +224,25 @@ equaliseMeasures(const HexMesh &             start,
   result.report.seconds = stopwatch.seconds();
   reportProgress(progress, 1.0);
   return result;
+}
+
+HexMesh
+minimisedLattice(const HexMesh &             start,
+                 const SignedDistance &      phi,
+                 double                      volume,
+                 const CellMeasure &         measure,
+                 const EqualisationOptions & options,
+                 const ProgressCallback &    progress)
+{
+  requireProblem(start, phi, volume, volume, options);
+  const int n = start.nodesPerSide;
+  require(wantedNodesPerSide(start, options) == n, "a lattice is minimised in its own size");
+  const EqualisationProblem problem{
+    phi, volume, measure, volume, options, surfacePoints(start.nodes, phi, volume, surfacePointsFor(n), options.threads)
+  };
+  Equaliser equaliser(start, problem);
+  equaliser.minimise(options.directStages, Equaliser::Boundary::AsItIs, progress);
+  return equaliser.mesh();
 }
 
 EqualisationResult

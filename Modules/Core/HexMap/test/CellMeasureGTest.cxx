@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace moserhex;
 using namespace moserhex::testing;
 
@@ -43,6 +45,37 @@ TEST(VolumeMeasure, GradientHasTaylorRemainderOfSecondOrder)
 TEST(VolumeMeasure, IsTheSameForAnyNumberOfThreads)
 {
   expectSameForThreads(VolumeMeasure(), shaken(regularLattice(12), 0.03, 4));
+}
+
+TEST(SharedVolumeMeasure, IsEqualWhereVolumesAreAsTheShares)
+{
+  const HexMesh       mesh = shaken(regularLattice(5), 0.08, 5);
+  std::vector<double> shares = cellVolumes(mesh);
+  for (double & share : shares)
+  {
+    share *= 17.0; // divided by their mean
+  }
+  const MeasureEquality equality = measureEquality(mesh, SharedVolumeMeasure(shares));
+  EXPECT_LT(equality.variance, 1e-24);
+  EXPECT_NEAR(equality.total, 1.0, 1e-12);
+}
+
+TEST(SharedVolumeMeasure, GradientHasTaylorRemainderOfSecondOrder)
+{
+  const HexMesh       mesh = shaken(regularLattice(5), 0.08, 6);
+  std::vector<double> shares(mesh.cellCount());
+  for (std::size_t cell = 0; cell < shares.size(); ++cell)
+  {
+    shares[cell] = 1.0 + 0.1 * static_cast<double>(cell % 7);
+  }
+  EXPECT_NEAR(taylorOrder(SharedVolumeMeasure(shares), mesh), 2.0, 0.1);
+}
+
+TEST(SharedVolumeMeasure, ShareThatIsNotPositiveIsRefused)
+{
+  EXPECT_THROW((void)SharedVolumeMeasure({ 1.0, 0.0 }), InvalidInput);
+  EXPECT_THROW((void)SharedVolumeMeasure({ 1.0, std::nan("") }), InvalidInput);
+  EXPECT_THROW((void)SharedVolumeMeasure({}), InvalidInput);
 }
 
 TEST(MeasureEquality, MatchesTheClosedForm)

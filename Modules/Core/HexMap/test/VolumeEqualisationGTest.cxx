@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -380,6 +381,47 @@ TEST(VolumeEqualisation, MassesUnderALinearDensityBecomeEqual)
     EXPECT_NEAR(mass, target, 1e-8 * target);
   }
   EXPECT_GT(measureEquality(result.mesh, VolumeMeasure()).variance, 1e-3); // else the density did nothing
+}
+
+TEST(VolumeEqualisation, CellsGetTheSharesThatAreWanted)
+{
+  std::vector<double> shares(729, 1.0);
+  for (std::size_t cell = 0; cell < shares.size(); ++cell)
+  {
+    shares[cell] = cell % 9 < 4 ? 0.5 : 1.5; // halves along i
+  }
+  const SharedVolumeMeasure measure(shares);
+  const HexMesh             start = equaliseVolumes(ball.lattice(3), ball.distance(), ball.volume(), nodes(10)).mesh;
+  const auto                result = equaliseMeasures(start, ball.distance(), ball.volume(), measure, ball.volume());
+  EXPECT_TRUE(result.exact);
+  const std::vector<double> volumes = cellVolumes(result.mesh);
+  EXPECT_NEAR(volumes[8] / volumes[0], 3.0, 1e-6);
+  EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), ball.volume(), 1e-6 * ball.volume());
+}
+
+TEST(VolumeEqualisation, LatticeAtRestStaysWhereItIs)
+{
+  const HexMesh       tied = equaliseVolumes(ball.lattice(3), ball.distance(), ball.volume(), nodes(10)).mesh;
+  EqualisationOptions options;
+  options.ties.reference = tied.nodes;
+  options.ties.referenceWeight = 0.1;
+  for (EqualisationStage & stage : options.directStages)
+  {
+    stage.volumeWeight = 0.1; // cells are hardly held to their volumes
+  }
+  const auto farthestMove = [&] {
+    const HexMesh mesh = minimisedLattice(tied, ball.distance(), ball.volume(), VolumeMeasure(), options);
+    double        farthest = 0.0;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+    {
+      farthest = std::max(farthest, (mesh.nodes[node] - tied.nodes[node]).norm());
+    }
+    return farthest;
+  };
+  const double forBetterShapes = farthestMove();
+  EXPECT_GT(forBetterShapes, 0.5);
+  options.ties.rest = tied.nodes;
+  EXPECT_LT(farthestMove(), 0.2 * forBetterShapes);
 }
 
 TEST(VolumeEqualisation, UniformDensityGivesEqualVolumes)

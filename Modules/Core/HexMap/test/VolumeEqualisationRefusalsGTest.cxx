@@ -68,6 +68,13 @@ TEST(VolumeEqualisation, SurfaceFarFromTheStartIsRefused)
   EXPECT_THROW((void)equaliseVolumes(ball.lattice(2), away.distance(), ball.volume()), InvalidInput);
 }
 
+TEST(VolumeEqualisation, LatticeAtRestOfAnotherSizeIsRefused)
+{
+  EqualisationOptions options;
+  options.ties.rest = ball.lattice(3).nodes;
+  EXPECT_THROW((void)equaliseVolumes(ball.lattice(4), ball.distance(), ball.volume(), options), InvalidInput);
+}
+
 TEST(VolumeEqualisation, CoarserLatticeThanGivenIsRefused)
 {
   expectRefused(nodes(3));

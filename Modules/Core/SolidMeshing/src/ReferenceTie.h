@@ -38,6 +38,13 @@ public:
   [[nodiscard]] std::optional<EqualisationResult>
   drawn(const HexMesh & exact, const SignedDistance & phi, const ProgressCallback & progress);
 
+  /** Of the boundary from the surface, that the last mesh returned had to keep to be exact [mm]. */
+  [[nodiscard]] double
+  surfaceTolerance() const
+  {
+    return m_Options.surfaceTolerance;
+  }
+
   /** What came of all weights so far, in order. */
   [[nodiscard]] const std::vector<std::string> &
   attempts() const

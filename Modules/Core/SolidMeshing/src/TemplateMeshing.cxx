@@ -3,14 +3,13 @@
 #include "ExactStage.h"
 #include "FrameSearch.h"
 #include "ReferenceTie.h"
+#include "RefinedTie.h"
 #include "StageLog.h"
 #include "TemplatePlacement.h"
-#include "TemplateRefiner.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/LevelSet/MarchingTetrahedra.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
-#include <array>
 #include <sstream>
 #include <utility>
 
@@ -18,11 +17,6 @@ namespace moserhex
 {
 namespace
 {
-
-/** While landmarks and images draw. */
-constexpr double refinementReferenceWeight = 0.1;
-/** Of the ties of a refinement, until it is exact. */
-constexpr std::array<double, 3> refinementParts{ { 1.0, 0.3, 0.1 } };
 
 /** Parts of the whole run, for progress only. */
 constexpr double afterPlacement = 0.1;
@@ -48,6 +42,7 @@ requireUsable(const SolidMeshingOptions & options)
   require(options.lastStage == MeshingStage::Exact, "it needs the last stage Exact");
   require(options.density == nullptr || !options.refinement.any(),
           "landmarks and images refine equal volumes, not masses");
+  require(!options.refinement.localGrowth || options.refinement.any(), "local growth needs landmarks or images");
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
 }
 
@@ -111,6 +106,7 @@ private:
     {
       note = drawOwnMesh(tie, tied, progressBetween(progress, 0.5, 1.0));
     }
+    m_SurfaceTolerance = tie.surfaceTolerance();
     take("exact", std::move(tied), note, tie.attempts());
   }
 
@@ -141,7 +137,7 @@ private:
       m_SimplerAt.emplace(*m_Result.simplerSolid);
     }
     m_Result.warnings.emplace_back("no tie from the template was exact: the solid's own mesh was drawn to it instead");
-    return "from the solid's own mesh; ";
+    return "from the solid's own mesh";
   }
 
   void
@@ -161,7 +157,7 @@ private:
        const std::vector<std::string> & attempts)
   {
     take(std::move(tied));
-    std::string separator;
+    std::string separator = note.empty() ? "" : "; ";
     for (const std::string & attempt : attempts)
     {
       note += std::exchange(separator, "; ") + attempt;
@@ -170,7 +166,6 @@ private:
     m_Log.add(stage, m_Result.mesh, note);
   }
 
-  /** One equalisation a scale and, where that is not exact, with weaker ties. */
   void
   refine(const ProgressCallback & progress)
   {
@@ -179,60 +174,15 @@ private:
       m_Result.warnings.emplace_back("not refined, as the mesh is not exact");
       return;
     }
-    const TemplateRefiner      refiner(*m_Options.templateMesh, m_Options.refinement);
-    TemplateRefinementResult & report = m_Result.refinement.emplace();
-    EqualisationOptions        options = equalisationOptions(m_Options);
-    options.ties.reference = m_Reference.nodes;
-    options.ties.referenceWeight = refinementReferenceWeight;
-    options.ties.landmarks = refiner.landmarks();
-    const std::vector<double> scales = refiner.scales();
-    const HexMesh             tied = m_Result.mesh;
-    for (std::size_t s = 0; s < scales.size(); ++s)
-    {
-      if (m_Options.refinement.images)
-      {
-        options.ties.image = refiner.image(m_Result.mesh, scales[s]);
-      }
-      if (!refineAt(options, progressOfPart(progress, s, scales.size())))
-      {
-        break;
-      }
-    }
-    if (!refiner.landmarks().empty())
-    {
-      report.landmarkError =
-        RefinedResidual{ landmarkError(tied, refiner.landmarks()), landmarkError(m_Result.mesh, refiner.landmarks()) };
-    }
-    if (options.ties.image)
-    {
-      report.imageDifference = RefinedResidual{ imageDifference(tied, *options.ties.image),
-                                                imageDifference(m_Result.mesh, *options.ties.image) };
-    }
-    m_Log.add("refined", m_Result.mesh, describe(report));
-  }
-
-  [[nodiscard]] bool
-  refineAt(EqualisationOptions options, const ProgressCallback & progress)
-  {
-    const LatticeTies full = options.ties;
-    for (std::size_t part = 0; part < refinementParts.size(); ++part)
-    {
-      options.ties.landmarkWeight = refinementParts[part] * full.landmarkWeight;
-      options.ties.imageWeight = refinementParts[part] * full.imageWeight;
-      EqualisationResult refined = equaliseVolumes(m_Result.mesh,
-                                                   signedDistance(phiAt()),
-                                                   m_Volume,
-                                                   options,
-                                                   progressOfPart(progress, part, refinementParts.size()));
-      if (refined.exact)
-      {
-        take(std::move(refined));
-        return true;
-      }
-      m_Result.attempts.push_back("refinement, part " + std::to_string(refinementParts[part]) + ": not exact");
-    }
-    m_Result.warnings.emplace_back("the refinement stopped early, as further meshes were not exact");
-    return false;
+    EqualisationOptions options = equalisationOptions(m_Options);
+    options.surfaceTolerance = m_SurfaceTolerance;
+    RefinedTie         refinement(*m_Options.templateMesh, m_Options.refinement, m_Volume, options);
+    EqualisationResult tied = *m_Result.equalisation;
+    tied.mesh = m_Result.mesh;
+    RefinedTieResult refined = refinement.refined(tied, signedDistance(phiAt()), progress);
+    m_Result.refinement = refined.report;
+    m_Result.warnings.insert(m_Result.warnings.end(), refined.warnings.begin(), refined.warnings.end());
+    take("refined", std::move(refined.equalisation), describe(refined.report), refined.attempts);
   }
 
   [[nodiscard]] static std::string
@@ -247,6 +197,11 @@ private:
     {
       text << (report.landmarkError ? ", " : "") << "image difference " << report.imageDifference->before << " -> "
            << report.imageDifference->after << " standard deviations";
+    }
+    if (report.growth)
+    {
+      text << ", growth of cells " << report.growth->smallest << " to " << report.growth->largest
+           << " times the organ's";
     }
     return text.str();
   }
@@ -270,7 +225,8 @@ private:
   CubicInterpolator                m_PhiAt;
   double                           m_Volume;
   const SolidMeshingOptions &      m_Options;
-  HexMesh                          m_Reference; ///< the template at the solid
+  HexMesh                          m_Reference;               ///< the template at the solid
+  double                           m_SurfaceTolerance{ 0.0 }; ///< within which the tied mesh was exact [mm]
   SolidMeshingResult               m_Result;
   std::optional<CubicInterpolator> m_SimplerAt; ///< of m_Result.simplerSolid
   StageLog                         m_Log;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace moserhex;
@@ -174,6 +175,25 @@ TEST(TemplateRefinement, LandmarksThatContradictEachOtherLeaveAnExactMesh)
   const SolidMeshingResult result = meshed(tied(std::move(refinement)));
   EXPECT_TRUE(result.equalisation->exact);
   EXPECT_GT(result.refinement->landmarkError->after, 3.0);
+  EXPECT_FALSE(result.refinement->complete);
+  EXPECT_EQ(result.warnings.size(), 2u); // stopped early, and nothing came nearer
+}
+
+TEST(TemplateRefinement, LandmarksThatFitHardlyMoveNodes)
+{
+  TemplateRefinement refinement = landmarks();
+  const HexMesh      before = meshed(tied({})).mesh;
+  for (CorrespondingPoints & points : refinement.landmarks)
+  {
+    points.onSolid = points.onTemplate; // the template lies where it belongs
+  }
+  const SolidMeshingResult result = meshed(tied(std::move(refinement)));
+  double                   farthest = 0.0;
+  for (std::size_t node = 0; node < before.nodes.size(); ++node)
+  {
+    farthest = std::max(farthest, (result.mesh.nodes[node] - before.nodes[node]).norm());
+  }
+  EXPECT_LT(farthest, 0.1);
 }
 
 TEST(TemplateRefinement, NeedsATemplate)

@@ -137,6 +137,12 @@ templateJson(const RunReport::Template & tied)
   }
   addResidual("landmark_rms_mm", tied.landmarks, json);
   addResidual("image_difference", tied.imageDifference, json);
+  if (tied.growth)
+  {
+    json["local_growth"] = { { "smallest", tied.growth->smallest },
+                             { "largest", tied.growth->largest },
+                             { "limited_cells", tied.growth->limited } };
+  }
   return json;
 }
 
@@ -187,6 +193,18 @@ removeCosts(Json & json)
 }
 
 } // namespace
+
+EqualMeasure
+equalMeasureOf(const RunReport & report)
+{
+  if (report.density)
+  {
+    return { "mass", "masses" };
+  }
+  return report.templateMesh && report.templateMesh->growth
+           ? EqualMeasure{ "volume over its growth", "volumes over their growth" }
+           : EqualMeasure{ "volume", "volumes" };
+}
 
 RunReport::Versions
 libraryVersions()

@@ -54,6 +54,29 @@ public:
            CellGradients *       gradients = nullptr) const override;
 };
 
+/** Volume of every cell over the share of the organ that is wanted of it [mm^3],
+ *
+ *   m_c = V_c / w_c,      w of mean 1,
+ *
+ * so that all m_c are equal where the volumes are as the shares w_c. */
+class SharedVolumeMeasure : public CellMeasure
+{
+public:
+  /** \param shares  of every cell in the order of the cells, > 0; divided by their mean [1]
+   * \throws InvalidInput  none, or one that is not positive and finite */
+  explicit SharedVolumeMeasure(std::vector<double> shares);
+
+  /** \pre as many cells as shares */
+  void
+  evaluate(const HexMesh &       mesh,
+           unsigned int          threads,
+           std::vector<double> & measures,
+           CellGradients *       gradients = nullptr) const override;
+
+private:
+  std::vector<double> m_Shares; ///< of mean 1
+};
+
 /** How equal the measures of a mesh are: with a density, the mass counterpart of volume variance and ratios. */
 struct MeasureEquality
 {

@@ -42,7 +42,10 @@ latticeSamples(const HexMesh & mesh);
  *   w_b / 2 sum over boundary nodes of |u_a|^2
  *   w_l / 2 sum over landmarks of |sum_a w_a x_a - p|^2                             (LandmarkEnergy.h)
  *   w_i / 2 mean over a cell's samples, sum over cells, of (I(x) - value)^2         (ImageEnergy.h)
- */
+ *   - grad F(rest) . x,         F the energy of the cells' shapes                   (ShapeEnergy.h)
+ *
+ * By the last one a lattice is at rest as it is: what moves it is the other ties, not that its cells could have better
+ * shapes. */
 struct LatticeTies
 {
   Positions                    reference;              ///< n^3 [mm]; empty: no such term
@@ -52,6 +55,7 @@ struct LatticeTies
   double                       landmarkWeight{ 50.0 }; ///< w_l [1]
   std::optional<LatticeImage>  image;                  ///< compared with its values; empty: no such term
   double                       imageWeight{ 1.0 };     ///< w_i, for an image in units of its standard deviation [1]
+  Positions                    rest;                   ///< n^3 [mm]; empty: no such term
 
   /** There is a term. */
   [[nodiscard]] bool

@@ -130,7 +130,18 @@ equaliseMeasures(const HexMesh &             start,
                  const EqualisationOptions & options = {},
                  const ProgressCallback &    progress = {});
 
-/** The same for volumes. */
+/** The minimum of E alone (1. above), by options.directStages on the lattice given: its measures are as equal as
+ * volumeWeight asks for, and the mesh is neither projected nor certified.
+ * \param measure  whose total over the organ is the volume; others as for equaliseMeasures, which throws the same */
+[[nodiscard]] HexMesh
+minimisedLattice(const HexMesh &             start,
+                 const SignedDistance &      phi,
+                 double                      volume,
+                 const CellMeasure &         measure,
+                 const EqualisationOptions & options,
+                 const ProgressCallback &    progress = {});
+
+/** The same as equaliseMeasures for volumes. */
 [[nodiscard]] EqualisationResult
 equaliseVolumes(const HexMesh &             start,
                 const SignedDistance &      phi,

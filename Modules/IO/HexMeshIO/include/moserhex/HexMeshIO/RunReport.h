@@ -100,6 +100,13 @@ struct RunReport
     std::string name;   ///< its name, as given
     std::string sha256; ///< of its content
   };
+  /** How differently cells have grown, where they were let to. */
+  struct Growth
+  {
+    double      smallest{ 1.0 }; ///< volume over that of the template's cell, in parts of their organs [1]
+    double      largest{ 1.0 };  ///< [1]
+    std::size_t limited{ 0 };    ///< cells that would have grown or shrunk more than what is allowed
+  };
   /** The mesh that this one is tied to, how it was brought to the label, and how the two were made more alike. */
   struct Template
   {
@@ -108,6 +115,7 @@ struct RunReport
     std::optional<Alignment> aligned;         ///< where it was sought
     std::optional<Residual>  landmarks;       ///< root mean square over them [mm]
     std::optional<Residual>  imageDifference; ///< root mean square, in standard deviations of the image [1]
+    std::optional<Growth>    growth;          ///< of single cells; empty: all cells equal
   };
   /** What stage J promises, and whether it was reached. */
   struct Exact
@@ -182,6 +190,17 @@ struct RunReport
   std::optional<double>       peakMemory;     ///< of the process [MiB]
   bool reproducible{ false };                 ///< seconds, threads and memory are left out: the same run, the same text
 };
+
+/** What all cells of a mesh have the same of, in words. */
+struct EqualMeasure
+{
+  const char * singular; ///< "volume", "mass" or "volume over its growth"
+  const char * plural;   ///< "volumes", "masses" or "volumes over their growth"
+};
+
+/** By what was asked for. */
+[[nodiscard]] EqualMeasure
+equalMeasureOf(const RunReport & report);
 
 /** Versions of ITK, VTK and Eigen this library was built with. */
 [[nodiscard]] RunReport::Versions

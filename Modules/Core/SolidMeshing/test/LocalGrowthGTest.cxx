@@ -1,0 +1,186 @@
+// An organ of unchanged outline in which a ball has doubled its volume, seen in an image of each visit. Exact: what is
+// promised of every mesh. Growth: closed form for the ball and its surroundings; bounds above what was measured.
+#include "OrderedEllipsoid.h"
+#include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Random.h"
+#include "moserhex/HexMap/CellMeasure.h"
+#include "moserhex/SolidMeshing/SolidMeshing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace moserhex;
+
+namespace
+{
+
+constexpr int    shells = 6;
+constexpr double radiusBefore = 5.0;
+const double     radiusAfter = radiusBefore * std::cbrt(2.0);
+const Vector3    middle(2.0, -1.0, 3.0);
+
+const OrderedSolid &
+organ()
+{
+  static const OrderedSolid solid = ellipsoid(Vector3(14.0, 13.0, 16.0), 0.75);
+  return solid;
+}
+
+const HexMesh &
+baseline()
+{
+  static const HexMesh mesh = meshSolid(organ().ordering, organ().phi, organ().volume, withShells(shells)).mesh;
+  return mesh;
+}
+
+/** Bright ball in a dark organ, with an edge of half a millimetre. \param noise  uniform, over the ball's contrast */
+ScalarVolume
+imageOfBall(double radius, double gain, double noise = 0.0)
+{
+  Random       random(static_cast<std::uint64_t>(100.0 * radius));
+  ScalarVolume image;
+  image.size = { { 43, 43, 49 } };
+  image.origin = Vector3(-21.0, -21.0, -24.0);
+  for (int k = 0; k < image.size[2]; ++k)
+  {
+    for (int j = 0; j < image.size[1]; ++j)
+    {
+      for (int i = 0; i < image.size[0]; ++i)
+      {
+        const double inside = radius - (image.point(i, j, k) - middle).norm();
+        const double shown = 0.5 * (1.0 + std::tanh(2.0 * inside)) + noise * (random.uniform() - 0.5);
+        image.values.push_back(100.0 + gain * shown);
+      }
+    }
+  }
+  return image;
+}
+
+SolidMeshingOptions
+tied(bool localGrowth, double radius = radiusAfter)
+{
+  SolidMeshingOptions options = withShells(shells);
+  options.templateMesh = baseline();
+  options.templateAlignment = TemplateAlignment::None;
+  options.refinement.images = CorrespondingImages{ imageOfBall(radiusBefore, 50.0), imageOfBall(radius, 80.0) };
+  options.refinement.localGrowth = localGrowth;
+  return options;
+}
+
+SolidMeshingResult
+meshed(const SolidMeshingOptions & options)
+{
+  return meshOnTemplate(organ().phi, organ().volume, options);
+}
+
+/** Mean growth of the cells whose centre at the baseline is nearer to the ball's middle than `to` and not nearer than
+ * `from` [mm]. */
+double
+growthBetween(const HexMesh & followUp, double from, double to)
+{
+  const std::vector<double> before = cellVolumes(baseline());
+  const std::vector<double> after = cellVolumes(followUp);
+  double                    volumeBefore = 0.0;
+  double                    volumeAfter = 0.0;
+  for (std::size_t cell = 0; cell < before.size(); ++cell)
+  {
+    Vector3 centre = Vector3::Zero();
+    for (const Vector3 & corner : cellCorners(baseline(), cell))
+    {
+      centre += corner / 8.0;
+    }
+    const double distance = (centre - middle).norm();
+    if (distance >= from && distance < to)
+    {
+      volumeBefore += before[cell];
+      volumeAfter += after[cell];
+    }
+  }
+  return volumeAfter / volumeBefore;
+}
+
+/** Growth of all but the ball. */
+double
+around()
+{
+  const double ball = 4.0 / 3.0 * pi * std::pow(radiusBefore, 3.0);
+  return (organ().volume - 2.0 * ball) / (organ().volume - ball);
+}
+
+} // namespace
+
+TEST(LocalGrowth, OfABallThatDoublesIsFound)
+{
+  const SolidMeshingResult result = meshed(tied(true));
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_LE(result.equalisation->variance, 1e-18);
+  EXPECT_EQ(result.equalisation->uncertifiedCells, 0u);
+  ASSERT_TRUE(result.refinement && result.refinement->growth);
+  EXPECT_TRUE(result.refinement->complete);
+  EXPECT_LT(result.refinement->imageDifference->after, 0.3 * result.refinement->imageDifference->before);
+
+  EXPECT_NEAR(growthBetween(result.mesh, 0.0, 3.5), 2.0, 0.15);
+  EXPECT_NEAR(growthBetween(result.mesh, 7.0, 100.0), around(), 0.03);
+}
+
+TEST(LocalGrowth, IsNotSeenByEqualCells)
+{
+  const SolidMeshingResult result = meshed(tied(false));
+  EXPECT_FALSE(result.refinement->growth);
+  EXPECT_NEAR(growthBetween(result.mesh, 0.0, 3.5), 1.0, 1e-6);
+}
+
+TEST(LocalGrowth, IsOneWhereNothingGrew)
+{
+  const SolidMeshingResult result = meshed(tied(true, radiusBefore));
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_NEAR(growthBetween(result.mesh, 0.0, 3.5), 1.0, 0.01);
+  EXPECT_GT(result.refinement->growth->smallest, 0.94);
+  EXPECT_LT(result.refinement->growth->largest, 1.03);
+}
+
+TEST(LocalGrowth, IsFoundInNoise)
+{
+  SolidMeshingOptions options = tied(true);
+  options.refinement.images =
+    CorrespondingImages{ imageOfBall(radiusBefore, 50.0, 0.5), imageOfBall(radiusAfter, 80.0, 0.5) };
+  const SolidMeshingResult result = meshed(options);
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_NEAR(growthBetween(result.mesh, 0.0, 3.5), 2.0, 0.25);
+  EXPECT_NEAR(growthBetween(result.mesh, 7.0, 100.0), around(), 0.04);
+}
+
+TEST(LocalGrowth, ShowsByLandmarksToo)
+{
+  SolidMeshingOptions options = tied(true);
+  options.refinement.images.reset();
+  for (int pole = 0; pole < 14; ++pole) // of the ball: along the axes and the diagonals
+  {
+    const Vector3 direction =
+      pole < 6 ? Vector3(Vector3::Unit(pole / 2) * (pole % 2 == 0 ? 1.0 : -1.0))
+               : Vector3(pole & 1 ? 1.0 : -1.0, pole & 2 ? 1.0 : -1.0, pole < 10 ? 1.0 : -1.0).normalized();
+    options.refinement.landmarks.push_back({ middle + radiusBefore * direction, middle + radiusAfter * direction });
+  }
+  const SolidMeshingResult result = meshed(options);
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_LT(result.refinement->landmarkError->after, 0.3 * result.refinement->landmarkError->before);
+  EXPECT_NEAR(growthBetween(result.mesh, 0.0, 3.5), 2.0, 0.4); // what lies between landmarks is the springs' guess
+}
+
+TEST(LocalGrowth, DoesNotDependOnThreads)
+{
+  SolidMeshingOptions one = tied(true);
+  one.threads = 1;
+  SolidMeshingOptions three = one;
+  three.threads = 3;
+  EXPECT_EQ(meshed(one).mesh.nodes, meshed(three).mesh.nodes);
+}
+
+TEST(LocalGrowth, NeedsImagesOrLandmarks)
+{
+  SolidMeshingOptions options = tied(true);
+  options.refinement.images.reset();
+  EXPECT_THROW((void)meshed(options), InvalidInput);
+}
