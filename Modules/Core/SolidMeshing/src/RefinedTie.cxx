@@ -19,11 +19,11 @@ constexpr std::array<double, 3> pulls{ { 1.0, 0.3, 0.1 } };
 /** Times that volumes are found and the images' grey values, which depend on them, are compared anew, at each scale. */
 constexpr std::size_t growthRounds = 3;
 
-/** Weights while volumes are found. Against those of the shapes, which are no material, springs and images are ten and
- * five times as strong as for equal cells, and volumes a five-hundredth: a ball of twice the volume is found with 1.9
- * to 2 times of it, and where nothing grew cells stay within 5 % (LocalGrowth.*). */
+/** w_r, w_i and w_v while volumes are found. Springs and images are ten times as strong against the cells' shapes,
+ * which are no material, as for equal cells, and volumes are hardly held: a ball of twice the volume is found with
+ * nearly all of it, and where nothing grew cells stay within 5 % (LocalGrowth.*). */
 constexpr double                     looseReferenceWeight = 1.0;
-constexpr double                     looseImageWeight = 5.0;
+constexpr double                     looseImageWeight = 10.0;
 const std::vector<EqualisationStage> looseStages{ { 0.05, 0.1, 80.0, 60 }, { 0.02, 0.1, 80.0, 60 } };
 
 } // namespace
