@@ -71,9 +71,10 @@ protected:
                               << matrix << "\nFixedParameters: 0 0 0\n";
   }
 
-  /** Waves on the label's grid, moved along the patient's left. \param shift  [mm] \param level  they are about it */
+  /** An image on a grid. \param valueAt  of a point [mm] */
+  template <typename TFunction>
   void
-  writePattern(const std::string & name, const VoxelGrid & grid, double shift, double level = 0.0) const
+  writeImage(const std::string & name, const VoxelGrid & grid, const TFunction & valueAt) const
   {
     FieldVolume image;
     static_cast<VoxelGrid &>(image) = grid;
@@ -83,13 +84,28 @@ protected:
       {
         for (int i = 0; i < grid.size[0]; ++i)
         {
-          const Vector3 p = grid.point(i, j, k);
-          image.values.push_back(level + std::sin(0.15 * (p.x() - shift)) + std::cos(0.12 * p.y()) +
-                                 std::sin(0.1 * p.z()));
+          image.values.push_back(valueAt(grid.point(i, j, k)));
         }
       }
     }
     writeFieldImage(path(name), image);
+  }
+
+  /** Waves, moved along the patient's left. \param shift  [mm] \param level  they are about it */
+  void
+  writePattern(const std::string & name, const VoxelGrid & grid, double shift, double level = 0.0) const
+  {
+    writeImage(name, grid, [=](const Vector3 & p) {
+      return level + std::sin(0.15 * (p.x() - shift)) + std::cos(0.12 * p.y()) + std::sin(0.1 * p.z());
+    });
+  }
+
+  /** A bright ball in the middle of the gland. \param radius  [mm] */
+  void
+  writeBall(const std::string & name, const LabelVolume & gland, double radius) const
+  {
+    const Vector3 middle = gland.point(gland.size[0] / 2, gland.size[1] / 2, gland.size[2] / 2);
+    writeImage(name, gland, [=](const Vector3 & p) { return std::tanh(radius - (p - middle).norm()); });
   }
 
   [[nodiscard]] nlohmann::json
@@ -217,8 +233,37 @@ TEST_F(TemplateCommand, ImagesDrawTheMesh)
   EXPECT_LT(after, 0.9 * before); // the surface has not moved with the waves, so that only a part can be followed
 }
 
+TEST_F(TemplateCommand, ANoduleThatDoublesIsMeasured)
+{
+  const LabelVolume gland = makeSampleProstate().gland;
+  writeBall("t.nrrd", gland, 10.0);
+  writeBall("s.nrrd", gland, 10.0 * std::cbrt(2.0));
+  const std::vector<std::string> images{ "--align=none",
+                                         "--image=" + path("s.nrrd"),
+                                         "--template-image=" + path("t.nrrd") };
+  std::vector<std::string>       growing = images;
+  growing.emplace_back("--local-growth");
+  const auto largestGrowth = [&](const std::vector<std::string> & options, bool isUniform) {
+    EXPECT_EQ(tied("prostate.nrrd", options).exitCode, 0);
+    EXPECT_TRUE(report()["exact"]["reached"]);
+    EXPECT_EQ(report()["template"].contains("local_growth"), !isUniform);
+    const Outcome compared =
+      run({ "compare", path("baseline.vtu"), path("tied.vtu"), "--align=none", "--output=" + path("change") });
+    EXPECT_EQ(compared.exitCode, 0) << compared.error;
+    EXPECT_EQ(compared.out.find("cells grow differently") == std::string::npos, isUniform);
+    const auto followUp = nlohmann::json::parse(contentOf(path("change/summary.json")))["times"][1];
+    EXPECT_EQ(followUp["uniform_growth"].get<bool>(), isUniform);
+    return followUp["organ"]["volumetric"]["max"].get<double>();
+  };
+  EXPECT_NEAR(largestGrowth(images, true), 0.0, 1e-6);
+  const double found = largestGrowth(growing, false);
+  EXPECT_GT(found, 0.6); // of 1: cells of 5 mm, a ball of 10
+  EXPECT_LT(found, 1.4);
+}
+
 TEST_F(TemplateCommand, RefinementsThatAreHalfGivenAreRefused)
 {
+  expectErrorCode(tied("prostate.nrrd", { "--local-growth" }), "E_USAGE");
   std::ofstream(path("t.csv")) << "label,x,y,z\na,1,2,3\n";
   expectErrorCode(tied("prostate.nrrd", { "--landmarks=" + path("t.csv") }), "E_USAGE");
   expectErrorCode(tied("prostate.nrrd", { "--template-image=" + path("t.nrrd") }), "E_USAGE");
