@@ -119,10 +119,29 @@ TEST(TemplateRefiner, RefusesWhatSaysNothing)
   EXPECT_THROW(TemplateRefiner(mesh, landmarkAt(Vector3::Constant(NAN), Vector3::Zero())), InvalidInput);
   TemplateRefinement refinement;
   refinement.images = CorrespondingImages{ imageOf(wave, -2.0), imageOf(wave) }; // does not cover the cube
-  EXPECT_THROW(TemplateRefiner(mesh, refinement), InvalidInput);
+  EXPECT_EQ(codeOf([&] { TemplateRefiner(mesh, refinement); }), ErrorCode::TemplateImage);
+  refinement.images = CorrespondingImages{ imageOf(wave), imageOf(wave, -2.0) };
+  EXPECT_EQ(codeOf([&] { TemplateRefiner(mesh, refinement).requireSolidCovered(mesh.nodes); }), ErrorCode::Image);
   const ScalarVolume constant = imageOf([](const Vector3 &) { return 7.0; });
-  refinement.images = CorrespondingImages{ constant, constant };
-  EXPECT_THROW((void)TemplateRefiner(mesh, refinement).image(mesh, 1.0), InvalidInput);
+  refinement.images = CorrespondingImages{ constant, imageOf(wave) };
+  EXPECT_EQ(codeOf([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }), ErrorCode::TemplateImage);
+  refinement.images = CorrespondingImages{ imageOf(wave), constant };
+  EXPECT_EQ(codeOf([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }), ErrorCode::Image);
+}
+
+TEST(SmoothedImage, WavesShorterThanItsGridLeaveNoPattern)
+{
+  const double sigma = 4.0; // a grid of 2 mm on voxels of 0.5 mm
+  for (const double wavelength : { 1.25, 1.7, 1.9, 2.3, 2.9 })
+  {
+    const double        k = 2.0 * 3.141592653589793 / wavelength;
+    const SmoothedImage waves(
+      imageOf([k](const Vector3 & q) { return std::sin(k * q.x() + 0.5 * k * q.z()); }, 14.0), cube().nodes, sigma);
+    for (double x = 0.0; x <= 10.0; x += 0.37)
+    {
+      EXPECT_LT(std::abs(waves.at(Vector3(x, 5.1, 4.3)).value), 0.06) << wavelength << ' ' << x;
+    }
+  }
 }
 
 TEST(SmoothedImage, KeepsLinearFunctionsAndDampsWaves)
