@@ -3,6 +3,7 @@
 #include "ExactStage.h"
 #include "FrameSearch.h"
 #include "ReferenceTie.h"
+#include "RefinementCheck.h"
 #include "StageLog.h"
 #include "TemplatePlacement.h"
 #include "TemplateRefiner.h"
@@ -51,6 +52,22 @@ requireUsable(const SolidMeshingOptions & options)
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
 }
 
+/** Runs an equalisation that starts from the template: what it refuses is the template's fault, as the solid has been
+ * conditioned. */
+template <typename TWork>
+EqualisationResult
+startingFromTemplate(const TWork & work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const InvalidInput & error)
+  {
+    throw InvalidInput(error.code() == ErrorCode::Precondition ? ErrorCode::Template : error.code(), error.what());
+  }
+}
+
 /** One run: what a step leaves for those after it. */
 class TemplateRun
 {
@@ -62,6 +79,7 @@ public:
   [[nodiscard]] SolidMeshingResult
   run(const ProgressCallback & progress)
   {
+    m_Result.warnings = checkRefinement(*m_Options.templateMesh, m_Options.refinement, m_Phi, m_Volume);
     place();
     reportProgress(progress, afterPlacement);
     const bool isRefined = m_Options.refinement.any();
@@ -90,6 +108,7 @@ private:
     PlacedTemplate placed = placeTemplate(m_Options, m_Phi, m_Volume);
     m_Reference = std::move(placed.mesh);
     m_Result.alignment = placed.alignment;
+    m_Result.templateFit = placed.fit;
     if (placed.alignment && !placed.alignment->report.converged)
     {
       m_Result.warnings.emplace_back("the alignment of the template stopped before its minimum");
@@ -104,9 +123,10 @@ private:
     const EqualisationOptions options = equalisationOptions(m_Options);
     const bool                hasOther = static_cast<bool>(m_Options.ownMesh);
     ReferenceTie              tie(m_Reference.nodes, m_Volume, volumes, options);
-    EqualisationResult        tied =
-      tie.tied(m_Reference, signedDistance(m_PhiAt), progressBetween(progress, 0.0, hasOther ? 0.5 : 1.0));
-    std::string note;
+    EqualisationResult        tied = startingFromTemplate([&] {
+      return tie.tied(m_Reference, signedDistance(m_PhiAt), progressBetween(progress, 0.0, hasOther ? 0.5 : 1.0));
+    });
+    std::string               note;
     if (!tied.exact && hasOther)
     {
       note = drawOwnMesh(tie, tied, progressBetween(progress, 0.5, 1.0));
@@ -135,6 +155,7 @@ private:
       return "";
     }
     tied = *std::move(drawn);
+    m_Result.drawnFromOwnMesh = true;
     if (simpler)
     {
       m_Result.simplerSolid = std::move(own->simplerSolid);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 using namespace moserhex;
 
@@ -58,6 +59,21 @@ landmarkAt(const Vector3 & onTemplate, const Vector3 & onSolid)
   return refinement;
 }
 
+template <typename TCall>
+std::optional<ErrorCode>
+codeOf(const TCall & call)
+{
+  try
+  {
+    call();
+  }
+  catch (const InvalidInput & error)
+  {
+    return error.code();
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 TEST(TemplateRefiner, ALandmarkInsideIsFollowedByItsCell)
@@ -79,6 +95,19 @@ TEST(TemplateRefiner, ALandmarkOutsideIsThatOfTheNearestBoundaryPoint)
   const HexMesh            mesh = cube();
   const TemplateRefinement refinement = landmarkAt(Vector3(11.5, 4.7, 8.9), Vector3(10.0, 4.7, 8.9));
   EXPECT_LT(landmarkError(mesh, TemplateRefiner(mesh, refinement).landmarks()), 1e-12);
+}
+
+TEST(TemplateRefiner, SaysHowFarOutsideOfTheTemplateALandmarkIs)
+{
+  const HexMesh      mesh = cube();
+  TemplateRefinement refinement = landmarkAt(Vector3(11.5, 4.7, 8.9), Vector3::Zero());
+  refinement.landmarks.push_back({ Vector3(3.0, 4.0, 5.0), Vector3::Zero() });
+  refinement.landmarks.push_back({ Vector3(-3.0, -4.0, 5.0), Vector3::Zero() });
+  const std::vector<double> outside = TemplateRefiner(mesh, refinement).distancesOutside();
+  ASSERT_EQ(outside.size(), 3u);
+  EXPECT_NEAR(outside[0], 1.5, 1e-12);
+  EXPECT_EQ(outside[1], 0.0);
+  EXPECT_NEAR(outside[2], 5.0, 1e-12);
 }
 
 TEST(TemplateRefiner, AnImageInOtherUnitsIsTheSame)
