@@ -2,43 +2,98 @@
 
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <algorithm>
 #include <map>
-#include <optional>
+#include <set>
 
 namespace moserhex::app
 {
 namespace
 {
 
-constexpr const char * remedy = "give the same points in both lists, with the same labels";
+constexpr const char * remedy = "give the same points in both lists, each with a label of its own";
 
-std::vector<ListedPoint>
-placedPoints(const std::string & fileName)
+/** Whether all points have labels of their own; else none has one.
+ * \throws BadInput  only some have a label, or two have the same */
+bool
+isLabelled(const std::vector<ListedPoint> & points, const std::string & fileName)
 {
-  std::vector<ListedPoint> placed;
-  for (ListedPoint & point : readPoints(fileName).points)
+  const auto hasLabel = [](const ListedPoint & point) { return !point.label.empty(); };
+  if (std::none_of(points.begin(), points.end(), hasLabel))
   {
-    if (point.position)
-    {
-      placed.push_back(std::move(point));
-    }
+    return false;
   }
-  return placed;
-}
-
-/** Nothing when a label is missing or there twice. */
-std::optional<std::map<std::string, Vector3>>
-byLabel(const std::vector<ListedPoint> & points)
-{
-  std::map<std::string, Vector3> positions;
+  std::set<std::string> labels;
   for (const ListedPoint & point : points)
   {
-    if (point.label.empty() || !positions.emplace(point.label, *point.position).second)
+    if (point.label.empty())
     {
-      return std::nullopt;
+      throw BadInput(ErrorCode::Precondition, fileName, point.name + " has no label, other landmarks have one", remedy);
+    }
+    if (!labels.insert(point.label).second)
+    {
+      throw BadInput(ErrorCode::Precondition, fileName, "two landmarks are labelled " + point.label, remedy);
     }
   }
-  return positions;
+  return true;
+}
+
+std::size_t
+placedPoints(const std::vector<ListedPoint> & points)
+{
+  return static_cast<std::size_t>(
+    std::count_if(points.begin(), points.end(), [](const ListedPoint & point) { return point.position.has_value(); }));
+}
+
+void
+addPair(const ListedPoint & onTemplate, const ListedPoint & onSolid, std::vector<CorrespondingPoints> & points)
+{
+  if (onTemplate.position && onSolid.position)
+  {
+    points.push_back({ *onTemplate.position, *onSolid.position, onTemplate.name });
+  }
+}
+
+std::vector<CorrespondingPoints>
+pairedByLabel(const std::vector<ListedPoint> & ofTemplate, const std::vector<ListedPoint> & ofSolid)
+{
+  std::map<std::string, const ListedPoint *> solidByLabel;
+  for (const ListedPoint & point : ofSolid)
+  {
+    solidByLabel.emplace(point.label, &point);
+  }
+  std::vector<CorrespondingPoints> points;
+  for (const ListedPoint & point : ofTemplate)
+  {
+    const auto found = solidByLabel.find(point.label);
+    if (found != solidByLabel.end())
+    {
+      addPair(point, *found->second, points);
+    }
+  }
+  return points;
+}
+
+/** A row that one list does not place is left out of both, so that those behind it keep their partners. */
+std::vector<CorrespondingPoints>
+pairedByRow(const std::vector<ListedPoint> & ofTemplate,
+            const std::vector<ListedPoint> & ofSolid,
+            const std::string &              solidFile)
+{
+  if (ofTemplate.size() != ofSolid.size())
+  {
+    throw BadInput(ErrorCode::Precondition,
+                   solidFile,
+                   std::to_string(ofSolid.size()) + " landmarks without labels, the template has " +
+                     std::to_string(ofTemplate.size()),
+                   remedy);
+  }
+  std::vector<CorrespondingPoints> points;
+  for (std::size_t row = 0; row < ofTemplate.size(); ++row)
+  {
+    addPair(ofTemplate[row], ofSolid[row], points);
+  }
+  return points;
 }
 
 } // namespace
@@ -46,42 +101,27 @@ byLabel(const std::vector<ListedPoint> & points)
 CorrespondingLandmarks
 readLandmarks(const std::string & templateFile, const std::string & solidFile)
 {
-  const std::vector<ListedPoint> ofTemplate = placedPoints(templateFile);
-  const std::vector<ListedPoint> ofSolid = placedPoints(solidFile);
-  const auto                     labelsOfTemplate = byLabel(ofTemplate);
-  const auto                     labelsOfSolid = byLabel(ofSolid);
-  CorrespondingLandmarks         result;
-  if (labelsOfTemplate && labelsOfSolid)
+  const std::vector<ListedPoint> ofTemplate = readPoints(templateFile).points;
+  const std::vector<ListedPoint> ofSolid = readPoints(solidFile).points;
+  const bool                     byLabel = isLabelled(ofTemplate, templateFile);
+  if (isLabelled(ofSolid, solidFile) != byLabel)
   {
-    for (const auto & [label, position] : *labelsOfTemplate)
-    {
-      const auto found = labelsOfSolid->find(label);
-      if (found != labelsOfSolid->end())
-      {
-        result.points.push_back({ position, found->second });
-      }
-    }
+    throw BadInput(ErrorCode::Precondition,
+                   byLabel ? solidFile : templateFile,
+                   "its landmarks have no labels, those of the other list have",
+                   remedy);
   }
-  else if (ofTemplate.size() == ofSolid.size())
-  {
-    for (std::size_t p = 0; p < ofTemplate.size(); ++p)
-    {
-      result.points.push_back({ *ofTemplate[p].position, *ofSolid[p].position });
-    }
-  }
-  else
+  CorrespondingLandmarks result;
+  result.points = byLabel ? pairedByLabel(ofTemplate, ofSolid) : pairedByRow(ofTemplate, ofSolid, solidFile);
+  if (result.points.empty())
   {
     throw BadInput(ErrorCode::Precondition,
                    solidFile,
-                   std::to_string(ofSolid.size()) + " landmarks without labels of their own, the template has " +
-                     std::to_string(ofTemplate.size()),
+                   byLabel ? "no landmark has the label of one of the template's, both with a position"
+                           : "no landmark has a position in both lists",
                    remedy);
   }
-  if (result.points.empty())
-  {
-    throw BadInput(ErrorCode::Precondition, solidFile, "no landmark has the label of one of the template's", remedy);
-  }
-  const std::size_t alone = ofTemplate.size() + ofSolid.size() - 2 * result.points.size();
+  const std::size_t alone = placedPoints(ofTemplate) + placedPoints(ofSolid) - 2 * result.points.size();
   if (alone > 0)
   {
     result.warnings.push_back(std::to_string(alone) + " landmarks are in one of the two lists alone and do not count");

@@ -15,9 +15,10 @@ struct CorrespondingLandmarks
   std::vector<std::string>         warnings; ///< one line each
 };
 
-/** Points of two lists that are the same place: those of the same label, where every point of both lists has a label
- * of its own; else those of the same number, where both lists have as many. Points without a position have no part.
- * \throws BadInput  no two points correspond, or nothing tells which ones do; IOError */
+/** Points of two lists that are the same place: those of the same label or, where no point of either list has a label,
+ * those of the same row. Points without a position have no part.
+ * \throws BadInput  only some points have labels, or two of a list the same; no two points correspond, or the lists
+ * have no labels and are not as long; IOError */
 [[nodiscard]] CorrespondingLandmarks
 readLandmarks(const std::string & templateFile, const std::string & solidFile);
 

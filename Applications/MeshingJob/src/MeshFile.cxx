@@ -13,17 +13,35 @@
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/InputChecksum.h"
+#include "moserhex/HexMeshIO/TransformWriter.h"
 #include "moserhex/Quality/CellLabels.h"
 
 #include <itkMultiThreaderBase.h>
 
 #include <exception>
 #include <utility>
+#include <vector>
 
 namespace moserhex::app
 {
 namespace
 {
+
+/** A file that a run writes. */
+struct Output
+{
+  const char * kind;
+  std::string  file; ///< empty: none
+};
+
+std::vector<Output>
+outputsOf(const MeshCommandOptions & options)
+{
+  return { { "OUTPUT", options.output },
+           { "report", options.reportFile },
+           { "page", options.pageFile },
+           { "transform", options.transformFile } };
+}
 
 /** What can be wrong with the names is found before the work, not after. */
 void
@@ -31,23 +49,24 @@ requireUsableNames(const MeshCommandOptions & options)
 {
   requireHexMeshName(options.output);
   requireUsable(options);
+  requireUsed(options);
   requirePagesFor(options.pageFile);
-  for (const std::string & input : inputFiles(options))
+  const std::vector<Output> outputs = outputsOf(options);
+  for (auto output = outputs.begin(); output != outputs.end(); ++output)
   {
-    requireKept(input, options.output);
-    requireKept(input, options.reportFile);
-    requireKept(input, options.pageFile);
-  }
-  for (const std::string & report : { options.reportFile, options.pageFile })
-  {
-    if (sameFile(options.output, report))
+    for (const std::string & input : inputFiles(options))
     {
-      throw UsageError(fileMessage(options.output, "is both OUTPUT and report", "give the report another name"));
+      requireKept(input, output->file);
     }
-  }
-  if (sameFile(options.reportFile, options.pageFile))
-  {
-    throw UsageError(fileMessage(options.pageFile, "is both report and page", "give one of them another name"));
+    for (auto other = outputs.begin(); other != output; ++other)
+    {
+      if (sameFile(output->file, other->file))
+      {
+        throw UsageError(fileMessage(output->file,
+                                     std::string("is both ") + other->kind + " and " + output->kind,
+                                     "give one of them another name"));
+      }
+    }
   }
 }
 
@@ -92,12 +111,11 @@ makeMesh(const MeshCommandOptions &                       options,
   say("reading the label");
   meshed.solid = readSolid(options.input);
   addSolid(meshed.solid, report);
-  requireWritable(options.output);
-  for (const std::string & file : { options.reportFile, options.pageFile })
+  for (const Output & output : outputsOf(options))
   {
-    if (!file.empty())
+    if (!output.file.empty())
     {
-      requireWritable(file);
+      requireWritable(output.file);
     }
   }
   ScalarImage density;
@@ -126,6 +144,10 @@ makeMesh(const MeshCommandOptions &                       options,
   say("writing the mesh");
   const HexMesh & mesh = meshed.pipeline->GetHexMesh();
   writeHexMesh(options.output, mesh, fieldsOf(mesh, meshed.solid, options.threads));
+  if (!options.transformFile.empty())
+  {
+    writeTransform(options.transformFile, meshed.pipeline->GetResult().alignment->motion);
+  }
 }
 
 /** What a page shows of a run, as far as it came. */

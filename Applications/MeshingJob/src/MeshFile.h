@@ -22,7 +22,7 @@ struct MeshedFile
 [[nodiscard]] HexMeshFields
 fieldsOf(const HexMesh & mesh, const ChosenSolid & solid, unsigned int threads);
 
-/** Meshes one label, or all together, and writes the mesh and the report; prints nothing.
+/** Meshes one label, or all together, and writes the mesh, the report and the transform; prints nothing.
  * The report is written of failures, too, but for wrong usage and cancelled runs; the mesh's old file then stays.
  * \param progress  may be empty
  * \param comment   is told what is being done; may be empty

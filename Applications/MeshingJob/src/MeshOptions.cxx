@@ -2,6 +2,7 @@
 
 #include "CommandErrors.h"
 #include "moserhex/HexMeshIO/TransformFile.h"
+#include "moserhex/HexMeshIO/TransformWriter.h"
 #include "moserhex/SolidMeshing/SolidMeshing.h"
 
 #include <algorithm>
@@ -98,6 +99,28 @@ requireUsable(const MeshCommandOptions & options)
   if (options.way && options.stage != "exact")
   {
     throw UsageError("--way needs --stage exact; the other stages are always made the faithful way");
+  }
+}
+
+void
+requireUsed(const MeshCommandOptions & options)
+{
+  if (options.templateMesh.empty() && options.align != MeshCommandOptions{}.align)
+  {
+    throw UsageError("--align needs --template: it says how a template is brought to the label");
+  }
+  if (options.transformFile.empty())
+  {
+    return;
+  }
+  if (!isWrittenTransformName(options.transformFile))
+  {
+    throw UsageError(
+      fileMessage(options.transformFile, "not the name of a transform's text", "give a .tfm or .txt file"));
+  }
+  if (options.templateMesh.empty() || (options.align != "rigid" && options.align != "affine"))
+  {
+    throw UsageError("--write-transform needs --template and --align rigid or affine, which find the transform");
   }
 }
 

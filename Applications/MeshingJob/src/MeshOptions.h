@@ -24,6 +24,7 @@ struct MeshCommandOptions
   std::string                templateMesh;          ///< mesh that this one is to be like; empty: none
   std::string                align{ "rigid" };      ///< rigid | affine | none, or a transform's file: how the template
                                                     ///< is brought to the label
+  std::string  transformFile;                       ///< where to write the motion that brought it there; empty: not
   std::string  landmarks;                           ///< points on the label, ...
   std::string  templateLandmarks;                   ///< ... and the same places on the template; empty: none
   std::string  image;                               ///< an image of the label's subject, ...
@@ -52,6 +53,11 @@ inline constexpr int mostShells = 64;
 /** \throws UsageError  a value out of its range, or options that exclude each other */
 void
 requireUsable(const MeshCommandOptions & options);
+
+/** What options of one mesh must not be, but may be where they are the defaults of many: an alignment without a
+ * template. \throws UsageError */
+void
+requireUsed(const MeshCommandOptions & options);
 
 /** fast | faithful */
 [[nodiscard]] std::string

@@ -2,6 +2,7 @@
 
 #include "Console.h"
 #include "Silhouette.h"
+#include "TemplateWarnings.h"
 #include "Version.h"
 
 #include <cstdio>
@@ -36,8 +37,14 @@ describeTies(const SolidMeshingResult & result, RunReport::Template & tied)
   {
     const SurfaceAlignmentResult & alignment = *result.alignment;
     tied.aligned =
-      RunReport::Alignment{ alignment.motion.angle(), alignment.shift, alignment.rmsBefore, alignment.rmsAfter };
+      RunReport::Alignment{ alignment.motion.angle(), alignment.shift, alignment.rmsBefore, alignment.motion };
   }
+  if (result.templateFit)
+  {
+    tied.placed =
+      RunReport::Placement{ result.templateFit->scale, result.templateFit->rms, result.templateFit->median };
+  }
+  tied.start = result.drawnFromOwnMesh ? "own" : "template";
   if (result.refinement && result.refinement->landmarkError)
   {
     tied.landmarks =
@@ -79,6 +86,9 @@ describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageRe
   if (report.templateMesh)
   {
     describeTies(result, *report.templateMesh);
+    const std::vector<std::string> warnings =
+      templateWarnings(*result.templateFit, *report.templateMesh, report.mesh.volume);
+    report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
   }
   if (result.frame)
   {
@@ -205,6 +215,10 @@ printSummary(const RunReport & report, const ChosenSolid & solid, const MeshComm
   if (!options.pageFile.empty())
   {
     std::printf("page    %s\n", options.pageFile.c_str());
+  }
+  if (!options.transformFile.empty())
+  {
+    std::printf("transform %s\n", options.transformFile.c_str());
   }
 }
 

@@ -54,6 +54,20 @@ remedyForDensity(const std::string & fileName, const std::string & description)
                         : "give a positive image that covers the label";
 }
 
+/** The file that an error is about, and what to do about it. */
+struct Fault
+{
+  std::string file;
+  std::string remedy;
+};
+
+/** A file's name, or what it holds where arrays are given instead. */
+std::string
+named(const std::string & file, const char * content)
+{
+  return file.empty() ? content : file;
+}
+
 const char *
 remedyForSolid(const ChosenSolid & solid, const MeshCommandOptions & options, ErrorCode code)
 {
@@ -66,6 +80,30 @@ remedyForSolid(const ChosenSolid & solid, const MeshCommandOptions & options, Er
     return options.topology == "repair" ? "correct it, or raise --max-repair" : "correct it, or --topology repair";
   }
   return code == ErrorCode::Thin ? "use a finer image" : "correct the label in an editor";
+}
+
+Fault
+faultOf(ErrorCode code, const std::string & description, const ChosenSolid & solid, const MeshCommandOptions & options)
+{
+  switch (code)
+  {
+    case ErrorCode::Density:
+      return { options.density, remedyForDensity(options.density, description) };
+    case ErrorCode::Template:
+      return isAlignedByFile(options)
+               ? Fault{ options.align, "give the transform from the template's space to the label's" }
+               : Fault{ options.templateMesh, "give a mesh of this organ in the label's space, or --align rigid" };
+    case ErrorCode::TemplateImage:
+      return { named(options.templateImage, "template_image"), "give an image of the template's whole organ" };
+    case ErrorCode::TemplateLandmarks:
+      return { named(options.templateLandmarks, "template_landmarks"), "is it in the template's space, LPS or RAS?" };
+    case ErrorCode::Image:
+      return { named(options.image, "image"), "give an image of the label's whole organ" };
+    case ErrorCode::Landmarks:
+      return { named(options.landmarks, "landmarks"), "is it in the label's space, LPS or RAS?" };
+    default:
+      return { options.input.file, remedyForSolid(solid, options, code) };
+  }
 }
 
 [[noreturn]] void
@@ -130,11 +168,8 @@ runPipeline(const ChosenSolid &        solid,
   catch (const itk::InvalidInputError & error)
   {
     const std::string description = error.GetDescription();
-    if (error.GetCode() == ErrorCode::Density)
-    {
-      throw BadInput(error.GetCode(), options.density, description, remedyForDensity(options.density, description));
-    }
-    throw BadInput(error.GetCode(), options.input.file, description, remedyForSolid(solid, options, error.GetCode()));
+    const Fault       fault = faultOf(error.GetCode(), description, solid, options);
+    throw BadInput(error.GetCode(), fault.file, description, fault.remedy);
   }
   catch (const itk::NotConvergedError & error)
   {

@@ -101,6 +101,10 @@ addMeshCommand(CLI::App & program, MeshCommandOptions & options)
   command->add_flag("--reproducible",
                     options.reproducible,
                     "Leave times, threads and memory out of the report: two runs write the same bytes");
+  command->add_option("--write-transform",
+                      options.transformFile,
+                      "Write the motion that --align found, from the template's space to the label's (.tfm .txt): for "
+                      "--align of another run, and for --transforms of compare");
   addThreadsAndQuiet(*command, options.threads, options.quiet);
 }
 

@@ -3,8 +3,10 @@
 #include "CommandTest.h"
 
 #include "SampleProstate.h"
+#include "moserhex/Geometry/AffineTransform.h"
 #include "moserhex/HexMeshIO/FieldImageWriter.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
+#include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/LabelImageWriter.h"
 #include "moserhex/HexMeshIO/Sha256.h"
 
@@ -183,9 +185,165 @@ TEST_F(TemplateCommand, ATransformOfAFileBringsTheTemplateToTheLabel)
   EXPECT_EQ(said["template"]["alignment"], "file");
   EXPECT_EQ(said["template"]["transform"]["sha256"], sha256OfFile(path("move.tfm")));
   EXPECT_FALSE(said["template"].contains("moved_mm"));
+  EXPECT_FALSE(said["template"].contains("template_to_label"));
+  EXPECT_NEAR(said["template"]["scale"], 1.0, 1e-6);
+  EXPECT_LT(said["template"]["surface_rms_after_mm"], 0.5);
+  EXPECT_LT(said["template"]["surface_median_after_mm"], 0.3);
+  EXPECT_EQ(said["template"]["start"], "template");
+  EXPECT_EQ(said["stages"][1]["note"].get<std::string>().rfind("brought by a given transform, scaled by 1", 0), 0u);
+  EXPECT_TRUE(said["warnings"].empty()) << said["warnings"];
   writeTransform("mirror.tfm", "-1 0 0 0 1 0 0 0 1 0 0 0");
   expectErrorCode(tied("prostate.nrrd", { "--align=" + path("mirror.tfm") }), "E_GEOMETRY");
   expectErrorCode(tied("prostate.nrrd", { "--align=" + path("missing.tfm") }), "E_NOINPUT");
+}
+
+TEST_F(TemplateCommand, ATransformTheWrongWayRoundIsSaidToBe)
+{
+  LabelVolume gland = makeSampleProstate().gland;
+  gland.origin += Vector3(6.0, -4.0, 3.0);
+  writeLabelImage(path("moved.nrrd"), gland);
+  writeTransform("back.tfm", "1 0 0 0 1 0 0 0 1 -6 4 -3");
+  const Outcome near = tied("moved.nrrd", { "--align=" + path("back.tfm"), "--allow-partial" });
+  ASSERT_EQ(near.exitCode, 0) << near.error;
+  EXPECT_NE(near.error.find("warning: the inverse of the transform"), std::string::npos) << near.error;
+  EXPECT_NE(near.error.find("--align"), std::string::npos) << near.error;
+  writeTransform("far.tfm", "1 0 0 0 1 0 0 0 1 -90 40 -100");
+  const Outcome far = tied("moved.nrrd", { "--align=" + path("far.tfm") });
+  expectErrorCode(far, "E_TEMPLATE");
+  EXPECT_NE(far.error.find("far.tfm"), std::string::npos) << far.error;
+  EXPECT_EQ(far.error.find("moved.nrrd"), std::string::npos) << far.error;
+}
+
+TEST_F(TemplateCommand, ATemplateOfAnotherSizeOrPlaceIsDoubted)
+{
+  HexMesh baseline = readHexMesh(path("baseline.vtu"));
+  for (Vector3 & node : baseline.nodes)
+  {
+    node = 0.1 * node;
+  }
+  writeHexMesh(path("baseline.vtu"), baseline); // centimetres
+  const Outcome scaled = tied("prostate.nrrd");
+  ASSERT_EQ(scaled.exitCode, 0) << scaled.error;
+  EXPECT_NE(scaled.error.find("10 times as large"), std::string::npos) << scaled.error;
+  EXPECT_NEAR(report()["template"]["scale"], 10.0, 1e-6);
+  for (Vector3 & node : baseline.nodes)
+  {
+    node = 10.0 * node + Vector3(20.0, 0.0, 0.0);
+  }
+  writeHexMesh(path("baseline.vtu"), baseline);
+  const Outcome beside = tied("prostate.nrrd", { "--align=none", "--allow-partial" });
+  ASSERT_EQ(beside.exitCode, 0) << beside.error;
+  EXPECT_NE(beside.error.find("before it was bent, the template's surface was"), std::string::npos) << beside.error;
+  EXPECT_NE(beside.error.find("try --align rigid"), std::string::npos) << beside.error;
+  EXPECT_GT(report()["template"]["surface_median_after_mm"], 5.0);
+  EXPECT_EQ(report()["stages"][1]["note"].get<std::string>().rfind("taken as it lies, scaled by 1", 0), 0u);
+}
+
+TEST_F(TemplateCommand, AWrittenTransformBringsTheTemplateToTheSamePlace)
+{
+  LabelVolume   gland = makeSampleProstate().gland;
+  const Matrix3 turn = Eigen::AngleAxis<double>(0.2, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+  gland.origin = turn * gland.origin + Vector3(30.0, -20.0, 100.0);
+  gland.direction = turn * gland.direction;
+  writeLabelImage(path("moved.nrrd"), gland);
+  const Outcome outcome = tied("moved.nrrd", { "--write-transform=" + path("found.tfm") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  const HexMesh   once = readHexMesh(path("tied.vtu"));
+  const auto      rows = report()["template"]["template_to_label"];
+  AffineTransform motion;
+  for (int row = 0; row < 3; ++row)
+  {
+    motion.matrix.row(row) = Vector3(rows[row][0], rows[row][1], rows[row][2]).transpose();
+    motion.translation[row] = rows[row][3];
+  }
+  EXPECT_LT((motion.matrix - turn).norm(), 0.02);
+
+  const std::vector<std::string> compare{ "compare", path("baseline.vtu"), path("tied.vtu"), "--output", path("out"),
+                                          "--quiet", "--transforms",       path("found.tfm") };
+  ASSERT_EQ(run(compare).exitCode, 0);
+  const HexMesh aligned = readHexMesh(path("out/time-001.vtu"));
+  ASSERT_EQ(aligned.nodes.size(), once.nodes.size());
+  double farthest = 0.0;
+  for (std::size_t node = 0; node < once.nodes.size(); ++node)
+  {
+    farthest = std::max(farthest, (motion(aligned.nodes[node]) - once.nodes[node]).norm());
+  }
+  EXPECT_LT(farthest, 1e-9);
+
+  const std::string note = report()["template"].dump();
+  ASSERT_EQ(tied("moved.nrrd", { "--align=" + path("found.tfm") }).exitCode, 0);
+  const HexMesh again = readHexMesh(path("tied.vtu"));
+  farthest = 0.0;
+  for (std::size_t node = 0; node < once.nodes.size(); ++node)
+  {
+    farthest = std::max(farthest, (again.nodes[node] - once.nodes[node]).norm());
+  }
+  EXPECT_LT(farthest, 1e-3) << note;
+}
+
+TEST_F(TemplateCommand, OnlyATransformThatWasFoundIsWritten)
+{
+  writeTransform("move.tfm", "1 0 0 0 1 0 0 0 1 30 -20 100");
+  const std::string write = "--write-transform=" + path("found.tfm");
+  expectErrorCode(tied("prostate.nrrd", { write, "--align=none" }), "E_USAGE");
+  expectErrorCode(tied("prostate.nrrd", { write, "--align=" + path("move.tfm") }), "E_USAGE");
+  expectErrorCode(tied("prostate.nrrd", { "--write-transform=" + path("found.h5") }), "E_USAGE");
+  expectErrorCode(tied("prostate.nrrd", { "--write-transform=" + path("no/found.tfm") }), "E_CANTCREAT");
+  expectErrorCode(run({ "mesh", path("prostate.nrrd"), path("a.vtu"), write }), "E_USAGE");
+  expectErrorCode(tied("prostate.nrrd", { write, "--report=" + path("found.tfm") }), "E_USAGE");
+}
+
+TEST_F(TemplateCommand, AnAlignmentWithoutATemplateIsRefused)
+{
+  for (const char * align : { "affine", "none" })
+  {
+    expectErrorCode(run({ "mesh", path("prostate.nrrd"), path("a.vtu"), "--align", align }), "E_USAGE");
+  }
+}
+
+TEST_F(TemplateCommand, FaultsAreThoseOfTheirFiles)
+{
+  const LabelVolume gland = makeSampleProstate().gland;
+  VoxelGrid         aside = gland;
+  aside.origin += Vector3(15.0, 0.0, 0.0);
+  writePattern("good.nrrd", gland, 0.0);
+  writePattern("aside.nrrd", aside, 0.0);
+  std::ofstream(path("here.csv")) << "label,x,y,z\na,3,-21,14\nb,8,-21,14\n";
+  std::ofstream(path("mirrored.csv")) << "label,x,y,z\na,-3,21,14\nb,-8,21,14\n";
+  LabelVolume far = gland;
+  far.origin += Vector3(150.0, 0.0, 0.0);
+  writeLabelImage(path("far.nrrd"), far);
+  const auto expectFault =
+    [this](const std::string & label, const std::vector<std::string> & more, const char * code, const char * file) {
+      std::vector<std::string> arguments{ "--align=none" };
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Outcome outcome = tied(label, arguments);
+      expectErrorCode(outcome, code);
+      EXPECT_NE(outcome.error.find(std::string(file) + ": "), std::string::npos) << outcome.error;
+      EXPECT_EQ(outcome.error.find("editor"), std::string::npos) << outcome.error;
+    };
+  const auto images = [this](const std::string & image, const std::string & ofTemplate) {
+    return std::vector<std::string>{ "--image=" + path(image), "--template-image=" + path(ofTemplate) };
+  };
+  const auto landmarks = [this](const std::string & points, const std::string & ofTemplate) {
+    return std::vector<std::string>{ "--landmarks=" + path(points), "--template-landmarks=" + path(ofTemplate) };
+  };
+  expectFault("prostate.nrrd", images("aside.nrrd", "good.nrrd"), "E_IMAGE", "aside.nrrd");
+  expectFault("prostate.nrrd", images("good.nrrd", "aside.nrrd"), "E_TEMPLATE_IMAGE", "aside.nrrd");
+  expectFault("prostate.nrrd", landmarks("mirrored.csv", "here.csv"), "E_LANDMARKS", "mirrored.csv");
+  expectFault("prostate.nrrd", landmarks("here.csv", "mirrored.csv"), "E_TEMPLATE_LANDMARKS", "mirrored.csv");
+  expectFault("far.nrrd", {}, "E_TEMPLATE", "baseline.vtu");
+}
+
+TEST_F(TemplateCommand, LandmarksOutsideOfTheOrganAreNamed)
+{
+  std::ofstream(path("t.csv")) << "label,x,y,z\ncentre,3,-21,14\nleft,8,-21,14\nback,3,-16,14\n";
+  std::ofstream(path("s.csv")) << "label,x,y,z\nback,3,79,14\ncentre,3,-21,14\nleft,8,-21,14\n";
+  const Outcome outcome =
+    tied("prostate.nrrd", { "--align=none", "--landmarks=" + path("s.csv"), "--template-landmarks=" + path("t.csv") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("warning: landmarks outside of the label: back by "), std::string::npos)
+    << outcome.error;
 }
 
 TEST_F(TemplateCommand, LandmarksDrawTheMesh)

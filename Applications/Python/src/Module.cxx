@@ -135,6 +135,7 @@ makeMesh(const py::object &               labels,
     options.way.reset(); // the default, which counts for exact meshes without a template only
   }
   app::requireUsable(options);
+  app::requireUsed(options);
 
   const Space                     ownSpace = spaceOf(space);
   const std::optional<LabelValue> chosen = labelFrom(label);

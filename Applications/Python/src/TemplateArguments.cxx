@@ -36,7 +36,7 @@ landmarksFrom(const TemplateArguments & arguments, Space templateSpace, Space sp
   std::vector<CorrespondingPoints> points(onSolid.size());
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    points[k] = { flip(onTemplate[k], templateSpace), flip(onSolid[k], space) };
+    points[k] = { flip(onTemplate[k], templateSpace), flip(onSolid[k], space), "point " + std::to_string(k) };
     if (!points[k].onTemplate.allFinite() || !points[k].onSolid.allFinite())
     {
       throw BadInput(ErrorCode::PixelType,

@@ -92,6 +92,7 @@ class Errors(FolderTest):
             {"stage": "last"},
             {"way": "slow"},
             {"frame": "x"},
+            {"align": "none"},
             {"topology": "ignore"},
             {"shell_method": "x"},
             {"shells": 1},

@@ -97,7 +97,7 @@ alignmentText(const RunReport::Template & tied)
 {
   if (tied.alignment == "none")
   {
-    return "It was taken as it lies: both are of one scan.";
+    return "It was taken as it lies, in one space with the label.";
   }
   if (!tied.aligned)
   {
@@ -107,6 +107,19 @@ alignmentText(const RunReport::Template & tied)
          (tied.alignment == "affine" ? "an affine map" : "a rigid motion") + " of the surfaces: turned by " +
          fixedNumber(tied.aligned->angle, 1) + " degrees and moved by " + fixedNumber(tied.aligned->translation, 1) +
          " mm.";
+}
+
+/** How the template's mesh became the label's. */
+std::string
+startText(const RunReport::Template & tied)
+{
+  std::string text =
+    tied.placed ? " It was made " + shortNumber(tied.placed->scale) + " times as large, to the label's volume." : "";
+  if (tied.start == "own")
+  {
+    text += " No exact mesh came of bending it: the label's own mesh was drawn to it instead.";
+  }
+  return text;
 }
 
 /** What a residual does and does not say. */
@@ -281,10 +294,12 @@ templateSection(const RunReport & report)
   }
   const RunReport::Template &           tied = *report.templateMesh;
   std::vector<std::vector<std::string>> rows;
-  if (tied.aligned)
+  if (tied.placed)
   {
-    rows.push_back(
-      { "Surfaces, root mean square (mm)", shortNumber(tied.aligned->rmsBefore), shortNumber(tied.aligned->rmsAfter) });
+    rows.push_back({ "Surfaces, root mean square (mm)",
+                     tied.aligned ? shortNumber(tied.aligned->rmsBefore) : "&ndash;",
+                     shortNumber(tied.placed->rms) });
+    rows.push_back({ "Surfaces, median (mm)", "&ndash;", shortNumber(tied.placed->median) });
   }
   if (tied.landmarks)
   {
@@ -300,7 +315,8 @@ templateSection(const RunReport & report)
   return section("template",
                  "Tied to a template",
                  "<p>Node (i,j,k) of this mesh is meant to be the same place as node (i,j,k) of <strong>" +
-                   escapeHtml(shortFileName(tied.files.front().name)) + "</strong>. " + alignmentText(tied) + "</p>\n" +
+                   escapeHtml(shortFileName(tied.files.front().name)) + "</strong>. " + alignmentText(tied) +
+                   startText(tied) + "</p>\n" +
                    (rows.empty() ? "" : tableText("How far the two are apart", { "Of", "Before", "After" }, rows)) +
                    "<p>" + templateAdvice(tied) + "</p>\n");
 }

@@ -75,21 +75,32 @@ labelSentence(const RunReport & report, Citations & citations)
          " mm (Dice coefficient with the label " + fixedNumber(conditioning.dice, 3) + "). ";
 }
 
-/** " by ..., and bent to fill it.", and what drew it further. */
+/** "brought to the label by ..." */
 std::string
-templateWords(const RunReport::Template & tied)
+placementWords(const RunReport::Template & tied)
 {
-  static const std::map<std::string, std::string> ways{ { "rigid", " by a rigid motion" },
-                                                        { "affine", " by an affine map" },
-                                                        { "file", " by a registration of the scans" },
-                                                        { "none", " as it lay in the same scan" } };
+  static const std::map<std::string, std::string> ways{ { "rigid", "brought to the label by a rigid motion" },
+                                                        { "affine", "brought to the label by an affine map" },
+                                                        { "file", "brought to the label by a transform from a file" },
+                                                        { "none", "taken as it lay, in one space with the label," } };
   std::string                                     text = ways.at(tied.alignment);
-  if (tied.aligned)
+  if (tied.placed)
   {
-    text += " (surfaces " + shortNumber(tied.aligned->rmsBefore, 2) + " mm apart before and " +
-            shortNumber(tied.aligned->rmsAfter, 2) + " mm after, root mean square)";
+    text += " and scaled to its volume (surfaces ";
+    if (tied.aligned)
+    {
+      text += shortNumber(tied.aligned->rmsBefore, 2) + " mm apart before and ";
+    }
+    text += shortNumber(tied.placed->rms, 2) + (tied.aligned ? " mm after" : " mm apart") + ", root mean square)";
   }
-  text += " and bent to fill it. ";
+  return text;
+}
+
+/** What drew the mesh further. */
+std::string
+refinementWords(const RunReport::Template & tied)
+{
+  std::string text;
   if (tied.landmarks)
   {
     text += "Corresponding landmarks drew it from " + shortNumber(tied.landmarks->before, 2) + " to " +
@@ -112,15 +123,20 @@ std::string
 latticeSentence(const RunReport & report, Citations & citations)
 {
   const std::string n = std::to_string(2 * report.parameters.shells);
-  if (report.templateMesh)
+  const bool        isBent = report.templateMesh && report.templateMesh->start != "own";
+  if (isBent)
   {
-    return "A template mesh of " + n + " x " + n + " x " + n + " nodes was brought to the label" +
-           templateWords(*report.templateMesh);
+    return "A template mesh of " + n + " x " + n + " x " + n + " nodes was " + placementWords(*report.templateMesh) +
+           " and bent to fill it. " + refinementWords(*report.templateMesh);
   }
   const std::string conformal = citations.cite(angenent);
   const std::string equalAreas = citations.cite(moser);
-  return "Nested shells of the solid were mapped to spheres conformally " + conformal + " and with equal areas " +
-         equalAreas + " and gave the initial lattice of " + n + " x " + n + " x " + n + " nodes. ";
+  const std::string own = "Nested shells of the solid were mapped to spheres conformally " + conformal +
+                          " and with equal areas " + equalAreas + " and gave the initial lattice of " + n + " x " + n +
+                          " x " + n + " nodes. ";
+  return report.templateMesh ? own + "Its nodes were then drawn towards those of a template mesh of as many nodes, " +
+                                 placementWords(*report.templateMesh) + ". " + refinementWords(*report.templateMesh)
+                             : own;
 }
 
 std::string

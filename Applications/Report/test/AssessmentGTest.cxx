@@ -125,8 +125,38 @@ TEST(MethodsText, SaysHowATemplateWasUsed)
   RunReport report = goodReport();
   report.templateMesh = tieToTemplate();
   const MethodsText text = methodsText(report);
-  EXPECT_NE(text.paragraph.find("by an affine map (surfaces 3.5 mm apart before and 0.25 mm after"), std::string::npos);
+  EXPECT_NE(
+    text.paragraph.find("by an affine map and scaled to its volume (surfaces 3.5 mm apart before and 0.25 mm after"),
+    std::string::npos)
+    << text.paragraph;
+  EXPECT_NE(text.paragraph.find("bent to fill it"), std::string::npos);
   EXPECT_NE(text.paragraph.find("landmarks drew it from 2.8 to 0.38 mm"), std::string::npos);
   EXPECT_NE(text.paragraph.find("difference of 1.2 to 0.5 standard deviations"), std::string::npos);
   EXPECT_EQ(text.paragraph.find("conformally"), std::string::npos);
+}
+
+TEST(MethodsText, DoesNotSayOfATemplateThatLayThereThatBothAreOfOneScan)
+{
+  RunReport report = goodReport();
+  report.templateMesh = tieToTemplate();
+  report.templateMesh->alignment = "none";
+  report.templateMesh->aligned.reset();
+  const std::string text = methodsText(report).paragraph;
+  EXPECT_NE(text.find("taken as it lay, in one space with the label, and scaled to its volume (surfaces 0.25 mm apart"),
+            std::string::npos)
+    << text;
+  EXPECT_EQ(text.find("scan"), std::string::npos) << text;
+}
+
+TEST(MethodsText, SaysWhenTheLabelsOwnMeshWasDrawnToTheTemplate)
+{
+  RunReport report = goodReport();
+  report.templateMesh = tieToTemplate();
+  report.templateMesh->start = "own";
+  const MethodsText text = methodsText(report);
+  EXPECT_EQ(text.paragraph.find("bent to fill"), std::string::npos) << text.paragraph;
+  EXPECT_NE(text.paragraph.find("Its nodes were then drawn towards those of a template mesh"), std::string::npos)
+    << text.paragraph;
+  EXPECT_NE(text.paragraph.find("conformally"), std::string::npos);
+  EXPECT_NE(text.paragraph.find("landmarks drew it from 2.8 to 0.38 mm"), std::string::npos);
 }

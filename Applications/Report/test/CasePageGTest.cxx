@@ -89,7 +89,9 @@ TEST_F(CasePage, SaysHowItIsTiedToATemplate)
   const std::string page = markupOf(casePage(m_Content));
   for (const char * part : { "<strong>base.vtu</strong>",
                              "an affine map of the surfaces: turned by 4.0 degrees and moved by 12.5 mm",
+                             "1.02 times as large",
                              "<td>3.5</td><td>0.25</td>",
+                             "<td>&ndash;</td><td>0.125</td>",
                              "<td>2.75</td><td>0.375</td>",
                              "<td>1.25</td><td>0.5</td>",
                              "SHA-256 of the landmarks of the template" })
@@ -100,12 +102,21 @@ TEST_F(CasePage, SaysHowItIsTiedToATemplate)
 
 TEST_F(CasePage, SaysWhatATemplateAloneDoesNotShow)
 {
-  m_Content.report.templateMesh = RunReport::Template{ { { "mesh", "base.vtu", "ff" } }, "none", {}, {}, {} };
+  m_Content.report.templateMesh = RunReport::Template{ { { "mesh", "base.vtu", "ff" } }, "none", {}, {}, {}, {}, {} };
   const std::string page = markupOf(casePage(m_Content));
-  EXPECT_NE(page.find("taken as it lies"), std::string::npos);
+  EXPECT_NE(page.find("taken as it lies, in one space"), std::string::npos);
+  EXPECT_EQ(page.find("one scan"), std::string::npos);
   EXPECT_NE(page.find("do not show where tissue went"), std::string::npos);
   m_Content.report.templateMesh->alignment = "file";
   EXPECT_NE(casePage(m_Content).find("by a transform from a file"), std::string::npos);
+}
+
+TEST_F(CasePage, SaysWhenTheLabelsOwnMeshWasDrawnToTheTemplate)
+{
+  m_Content.report.templateMesh = tieToTemplate();
+  EXPECT_EQ(casePage(m_Content).find("the label's own mesh was drawn to it"), std::string::npos);
+  m_Content.report.templateMesh->start = "own";
+  EXPECT_NE(casePage(m_Content).find("the label's own mesh was drawn to it"), std::string::npos);
 }
 
 TEST_F(CasePage, EscapesEveryName)
@@ -119,7 +130,7 @@ TEST_F(CasePage, EscapesEveryName)
   report.exact->shortcomings = { hostile };
   report.versions = { hostile, hostile, hostile, hostile, hostile };
   report.density = RunReport::Density{ hostile, hostile };
-  report.templateMesh = RunReport::Template{ { { "mesh", hostile, hostile } }, "rigid", {}, {}, {} };
+  report.templateMesh = RunReport::Template{ { { "mesh", hostile, hostile } }, "rigid", {}, {}, {}, {}, {} };
   m_Content.labels.front().name = hostile;
   const std::string page = casePage(m_Content);
   EXPECT_EQ(page.find("<img"), std::string::npos);

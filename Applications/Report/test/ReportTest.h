@@ -46,7 +46,9 @@ tieToTemplate()
              { "image", "t2.nrrd", "dd" },
              { "template_image", "base_t2.nrrd", "ee" } },
            "affine",
-           RunReport::Alignment{ 4.0, 12.5, 3.5, 0.25 },
+           RunReport::Alignment{ 4.0, 12.5, 3.5 },
+           RunReport::Placement{ 1.02, 0.25, 0.125 },
+           "template",
            RunReport::Residual{ 2.75, 0.375 },
            RunReport::Residual{ 1.25, 0.5 } };
 }

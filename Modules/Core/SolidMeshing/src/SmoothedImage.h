@@ -8,8 +8,9 @@
 namespace moserhex
 {
 
-/** An image around some points, made smooth: convolved with a Gaussian on an isotropic grid, cubic splines between its
- * nodes. Beyond the image the values of its border. Thread-safe. */
+/** An image around some points, made smooth: means over the boxes of an isotropic grid of sigma / 2, convolved with a
+ * Gaussian so that the variance is sigma^2 in all; cubic splines between the nodes. Waves shorter than sigma leave at
+ * most 6 % of themselves. Beyond the image the values of its border. Thread-safe. */
 class SmoothedImage
 {
 public:

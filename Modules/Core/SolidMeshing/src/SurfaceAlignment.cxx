@@ -418,4 +418,21 @@ alignToSurface(const Positions & points, const LevelSet & phi, const SurfaceAlig
   return best;
 }
 
+std::vector<double>
+signedDistancesToSurface(const Positions & points, const LevelSet & phi)
+{
+  const Distance      distance(phi);
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const Vector3 & point : points)
+  {
+    if (!point.allFinite())
+    {
+      throw InvalidInput("signedDistancesToSurface: a point is not finite");
+    }
+    distances.push_back(distance.at(point).value);
+  }
+  return distances;
+}
+
 } // namespace moserhex

@@ -4,6 +4,7 @@
 #include "FrameSearch.h"
 #include "ReferenceTie.h"
 #include "RefinedTie.h"
+#include "RefinementCheck.h"
 #include "StageLog.h"
 #include "TemplatePlacement.h"
 #include "moserhex/Common/Errors.h"
@@ -46,6 +47,22 @@ requireUsable(const SolidMeshingOptions & options)
   require(options.paddingLayers == 0, "a mesh that is tied to one has no padding");
 }
 
+/** Runs an equalisation that starts from the template: what it refuses is the template's fault, as the solid has been
+ * conditioned. */
+template <typename TWork>
+EqualisationResult
+startingFromTemplate(const TWork & work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const InvalidInput & error)
+  {
+    throw InvalidInput(error.code() == ErrorCode::Precondition ? ErrorCode::Template : error.code(), error.what());
+  }
+}
+
 /** One run: what a step leaves for those after it. */
 class TemplateRun
 {
@@ -57,6 +74,7 @@ public:
   [[nodiscard]] SolidMeshingResult
   run(const ProgressCallback & progress)
   {
+    m_Result.warnings = checkRefinement(*m_Options.templateMesh, m_Options.refinement, m_Phi, m_Volume);
     place();
     reportProgress(progress, afterPlacement);
     const bool isRefined = m_Options.refinement.any();
@@ -85,6 +103,7 @@ private:
     PlacedTemplate placed = placeTemplate(m_Options, m_Phi, m_Volume);
     m_Reference = std::move(placed.mesh);
     m_Result.alignment = placed.alignment;
+    m_Result.templateFit = placed.fit;
     if (placed.alignment && !placed.alignment->report.converged)
     {
       m_Result.warnings.emplace_back("the alignment of the template stopped before its minimum");
@@ -99,9 +118,10 @@ private:
     const EqualisationOptions options = equalisationOptions(m_Options);
     const bool                hasOther = static_cast<bool>(m_Options.ownMesh);
     ReferenceTie              tie(m_Reference.nodes, m_Volume, volumes, options);
-    EqualisationResult        tied =
-      tie.tied(m_Reference, signedDistance(m_PhiAt), progressBetween(progress, 0.0, hasOther ? 0.5 : 1.0));
-    std::string note;
+    EqualisationResult        tied = startingFromTemplate([&] {
+      return tie.tied(m_Reference, signedDistance(m_PhiAt), progressBetween(progress, 0.0, hasOther ? 0.5 : 1.0));
+    });
+    std::string               note;
     if (!tied.exact && hasOther)
     {
       note = drawOwnMesh(tie, tied, progressBetween(progress, 0.5, 1.0));
@@ -131,6 +151,7 @@ private:
       return "";
     }
     tied = *std::move(drawn);
+    m_Result.drawnFromOwnMesh = true;
     if (simpler)
     {
       m_Result.simplerSolid = std::move(own->simplerSolid);

@@ -13,7 +13,8 @@ struct PlacedTemplate
 {
   HexMesh                               mesh;      ///< of the solid's volume
   std::optional<SurfaceAlignmentResult> alignment; ///< absent: no alignment was asked for
-  std::string                           note;      ///< what was done, for the report
+  TemplateFit                           fit;
+  std::string                           note; ///< what was done, for the report
 };
 
 /** Brings options.templateMesh to a solid: by options.templateNodes, or by alignToSurface as options.templateAlignment
@@ -24,7 +25,8 @@ struct PlacedTemplate
  * the solid's is also aligned in its own size, and that counts where it brings half of the surfaces much nearer.
  *
  * \param phi     negative inside the solid \param volume  of the solid, > 0 [mm^3]
- * \throws InvalidInput  the template's cells have no volume; as alignToSurface */
+ * \throws InvalidInput (Template)  the template's cells have no volume, or none of its nodes comes to lie in the solid
+ * \throws InvalidInput  as alignToSurface */
 [[nodiscard]] PlacedTemplate
 placeTemplate(const SolidMeshingOptions & options, const LevelSet & phi, double volume);
 

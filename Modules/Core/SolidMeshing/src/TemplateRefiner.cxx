@@ -18,19 +18,13 @@ namespace moserhex
 namespace
 {
 
+/** An image draws over about the width it was smoothed with: the widest scale decides how far off a start may be, and
+ * what each leaves is within reach of the next. The sharpest is as wide as samples are apart, two along a cell: finer
+ * detail would fall between them. */
 const std::vector<double> imageScales{ 2.0, 1.0, 0.5 };
 
 /** An image that varies less than this part of its mean does not vary [1]. */
 constexpr double roundingOfValues = 1e-9;
-
-/** A mean cell's [mm]. */
-double
-cellEdge(const HexMesh & mesh)
-{
-  const std::vector<double> volumes = cellVolumes(mesh);
-  const double              sum = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  return std::cbrt(std::abs(sum) / static_cast<double>(volumes.size()));
-}
 
 LatticeLandmark
 inside(const HexMesh & mesh, const CubePlace & place)
@@ -52,6 +46,18 @@ inside(const HexMesh & mesh, const CubePlace & place)
     landmark.weights[corner] = weight;
   }
   return landmark;
+}
+
+/** Where it is in a mesh [mm]. */
+Vector3
+placeOf(const LatticeLandmark & landmark, const HexMesh & mesh)
+{
+  Vector3 place = Vector3::Zero();
+  for (std::size_t a = 0; a < landmark.nodes.size(); ++a)
+  {
+    place += landmark.weights[a] * mesh.nodes[landmark.nodes[a]];
+  }
+  return place;
 }
 
 /** The boundary as four triangles around the centre of every quadrilateral. */
@@ -84,8 +90,18 @@ private:
   ClosestPointSearch         m_Search;
 };
 
+/** One subject's image. */
+struct ImageSide
+{
+  ErrorCode    code;
+  const char * name; ///< as messages call it
+};
+
+constexpr ImageSide templateSide{ ErrorCode::TemplateImage, "image of the template" };
+constexpr ImageSide solidSide{ ErrorCode::Image, "image" };
+
 void
-requireCovered(const ScalarVolume & image, const Positions & points, const std::string & what)
+requireCovered(const ScalarVolume & image, const Positions & points, const ImageSide & side)
 {
   const Vector3 last(image.size[0] - 0.5, image.size[1] - 0.5, image.size[2] - 0.5);
   std::size_t   outside = 0;
@@ -96,8 +112,9 @@ requireCovered(const ScalarVolume & image, const Positions & points, const std::
   }
   if (outside > 0)
   {
-    throw InvalidInput(what + ": " + std::to_string(outside) + " of " + std::to_string(points.size()) +
-                       " places of the organ lie outside of it");
+    throw InvalidInput(side.code,
+                       std::string(side.name) + ": " + std::to_string(outside) + " of " +
+                         std::to_string(points.size()) + " places of the organ lie outside of it");
   }
 }
 
@@ -111,10 +128,10 @@ struct SampledImage
 };
 
 SampledImage
-sampled(const ScalarVolume & image, const HexMesh & mesh, double scale, const std::string & what)
+sampled(const ScalarVolume & image, const HexMesh & mesh, double scale, const ImageSide & side)
 {
   const Positions points = latticeSamples(mesh);
-  requireCovered(image, points, what);
+  requireCovered(image, points, side);
   SampledImage result;
   result.image = std::make_shared<const SmoothedImage>(image, points, scale * cellEdge(mesh));
   for (const Vector3 & point : points)
@@ -129,7 +146,7 @@ sampled(const ScalarVolume & image, const HexMesh & mesh, double scale, const st
   result.deviation = std::sqrt(result.deviation);
   if (!(result.deviation > roundingOfValues * std::abs(result.mean)))
   {
-    throw InvalidInput(what + ": it is the same everywhere in the organ");
+    throw InvalidInput(side.code, std::string(side.name) + ": it is the same everywhere in the organ");
   }
   return result;
 }
@@ -149,12 +166,19 @@ TemplateRefiner::TemplateRefiner(const HexMesh & templateMesh, const TemplateRef
     }
     const std::optional<CubePlace> place = map.find(points.onTemplate);
     m_Landmarks.push_back(place ? inside(templateMesh, *place) : boundary.nearest(points.onTemplate));
+    m_DistancesOutside.push_back(place ? 0.0 : (placeOf(m_Landmarks.back(), templateMesh) - points.onTemplate).norm());
     m_Landmarks.back().position = points.onSolid;
   }
   if (refinement.images)
   {
-    requireCovered(refinement.images->ofTemplate, templateMesh.nodes, "image of the template");
+    requireCovered(refinement.images->ofTemplate, templateMesh.nodes, templateSide);
   }
+}
+
+void
+TemplateRefiner::requireSolidCovered(const Positions & points) const
+{
+  requireCovered(m_Refinement.images->ofSolid, points, solidSide);
 }
 
 std::vector<double>
@@ -166,8 +190,8 @@ TemplateRefiner::scales() const
 LatticeImage
 TemplateRefiner::image(const HexMesh & mesh, double scale) const
 {
-  const SampledImage ofTemplate = sampled(m_Refinement.images->ofTemplate, m_Template, scale, "image of the template");
-  const SampledImage ofSolid = sampled(m_Refinement.images->ofSolid, mesh, scale, "image");
+  const SampledImage ofTemplate = sampled(m_Refinement.images->ofTemplate, m_Template, scale, templateSide);
+  const SampledImage ofSolid = sampled(m_Refinement.images->ofSolid, mesh, scale, solidSide);
   LatticeImage       result;
   for (const double value : ofTemplate.values)
   {
@@ -183,17 +207,20 @@ TemplateRefiner::image(const HexMesh & mesh, double scale) const
 }
 
 double
+cellEdge(const HexMesh & mesh)
+{
+  const std::vector<double> volumes = cellVolumes(mesh);
+  const double              sum = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  return std::cbrt(std::abs(sum) / static_cast<double>(volumes.size()));
+}
+
+double
 landmarkError(const HexMesh & mesh, const std::vector<LatticeLandmark> & landmarks)
 {
   double sum = 0.0;
   for (const LatticeLandmark & landmark : landmarks)
   {
-    Vector3 away = -landmark.position;
-    for (std::size_t a = 0; a < landmark.nodes.size(); ++a)
-    {
-      away += landmark.weights[a] * mesh.nodes[landmark.nodes[a]];
-    }
-    sum += away.squaredNorm();
+    sum += (placeOf(landmark, mesh) - landmark.position).squaredNorm();
   }
   return landmarks.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(landmarks.size()));
 }

@@ -17,7 +17,7 @@ class TemplateRefiner
 {
 public:
   /** Keeps references. \param templateMesh  in its own space
-   * \throws InvalidInput  a point that is not finite; an image that does not cover its mesh */
+   * \throws InvalidInput  a point that is not finite; (TemplateImage)  an image that does not cover its mesh */
   TemplateRefiner(const HexMesh & templateMesh, const TemplateRefinement & refinement);
 
   [[nodiscard]] const std::vector<LatticeLandmark> &
@@ -26,13 +26,25 @@ public:
     return m_Landmarks;
   }
 
+  /** Of the landmarks' points on the template to its mesh, in their order; 0 inside [mm]. */
+  [[nodiscard]] const std::vector<double> &
+  distancesOutside() const
+  {
+    return m_DistancesOutside;
+  }
+
+  /** \param points  of the solid [mm] \throws InvalidInput (Image)  the solid's image does not cover them */
+  void
+  requireSolidCovered(const Positions & points) const;
+
   /** Standard deviations of the smoothing, from coarse to fine, in edges of a mean cell; a single zero when there are
    * no images. */
   [[nodiscard]] std::vector<double>
   scales() const;
 
   /** \param mesh  of the solid as it is \param scale  one of scales() [edges of a mean cell]
-   * \throws InvalidInput  an image that is constant in the organ at this scale, or does not cover it */
+   * \throws InvalidInput (TemplateImage, Image)  an image that is constant in the organ at this scale, or does not
+   * cover it */
   [[nodiscard]] LatticeImage
   image(const HexMesh & mesh, double scale) const;
 
@@ -40,7 +52,12 @@ private:
   const HexMesh &              m_Template;
   const TemplateRefinement &   m_Refinement;
   std::vector<LatticeLandmark> m_Landmarks;
+  std::vector<double>          m_DistancesOutside;
 };
+
+/** A mean cell's [mm]. */
+[[nodiscard]] double
+cellEdge(const HexMesh & mesh);
 
 /** Root mean square distance of the landmarks to where they belong; 0 without any [mm]. */
 [[nodiscard]] double

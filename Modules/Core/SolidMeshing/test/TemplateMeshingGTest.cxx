@@ -9,7 +9,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <string>
 
 using namespace moserhex;
 
@@ -153,7 +155,9 @@ TEST(MeshOnTemplate, TheOwnMeshIsAskedForOnlyWhereTheTemplateDoesNotDo)
     ++asked;
     return std::nullopt;
   };
-  EXPECT_TRUE(meshed(semiAxes, options).equalisation->exact);
+  const SolidMeshingResult result = meshed(semiAxes, options);
+  EXPECT_TRUE(result.equalisation->exact);
+  EXPECT_FALSE(result.drawnFromOwnMesh);
   EXPECT_EQ(asked, 0);
   options.allowPartial = true;
   options.equalisation.surfaceTolerance = 1e-9; // no mesh reaches it
@@ -180,6 +184,7 @@ TEST(MeshOnTemplate, TheOwnMeshMayBeOfASimplerSolid)
   EXPECT_EQ(result.simplerSolid->values, other.phi.values);
   EXPECT_LE(result.boundary.maximum, 0.5); // of that solid
   EXPECT_EQ(result.stages.back().note.rfind("from the solid's own mesh; ", 0), 0u) << result.stages.back().note;
+  EXPECT_TRUE(result.drawnFromOwnMesh);
   ASSERT_FALSE(result.warnings.empty());
   EXPECT_NE(result.warnings.front().find("own mesh"), std::string::npos) << result.warnings.front();
 }
@@ -229,4 +234,28 @@ TEST(MeshOnTemplate, RefusesWhatItCannotTie)
   HexMesh mesh = templateMesh();
   mesh.nodes.pop_back();
   expectRefused(tiedTo(mesh));
+}
+
+TEST(MeshOnTemplate, ATemplateThatNoTieCanStartFromIsItselfAtFault)
+{
+  const double  length = 1e4;
+  const Vector3 axis = Vector3::Ones().normalized();
+  const Vector3 inside = templateMesh().nodes[555];
+  HexMesh       needle = templateMesh();
+  for (Vector3 & node : needle.nodes)
+  {
+    const Vector3 from = node - inside; // so that one node lies in the solid
+    const double  along = axis.dot(from);
+    node = length * along * axis + (from - along * axis) / std::sqrt(length);
+  }
+  try
+  {
+    (void)meshed(semiAxes, tiedTo(needle, TemplateAlignment::None));
+    FAIL() << "a needle was tied";
+  }
+  catch (const InvalidInput & error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::Template);
+    EXPECT_NE(std::string(error.what()).find("far larger than the volume"), std::string::npos) << error.what();
+  }
 }

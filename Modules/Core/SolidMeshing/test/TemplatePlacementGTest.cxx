@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 using namespace moserhex;
 
@@ -112,8 +113,63 @@ TEST_F(TemplatePlacement, WithoutAnAlignmentOnlyTheSizeChanges)
   const OrderedSolid   solid = ellipsoid(1.05 * semiAxes, 0.75);
   const PlacedTemplate placed = placeTemplate(aligned(TemplateAlignment::None), solid.phi, solid.volume);
   EXPECT_FALSE(placed.alignment);
-  EXPECT_TRUE(placed.note.empty());
+  EXPECT_EQ(placed.note.rfind("taken as it lies, scaled by 1.0", 0), 0u) << placed.note;
   EXPECT_LT(largestDistance(placed.mesh, std::cbrt(solid.volume / volumeOf(templateMesh()))), 1e-3);
+}
+
+TEST_F(TemplatePlacement, IsMeasuredAsItLiesAfterScaling)
+{
+  const double       scale = 1.2;
+  const OrderedSolid solid = ellipsoid(scale * semiAxes, 0.75);
+  for (const TemplateAlignment alignment :
+       { TemplateAlignment::None, TemplateAlignment::Rigid, TemplateAlignment::Affine })
+  {
+    const PlacedTemplate placed = placeTemplate(aligned(alignment), solid.phi, solid.volume);
+    EXPECT_NEAR(placed.fit.scale, scale, 1e-3);
+    EXPECT_LT(placed.fit.rms, 0.2); // phi is a distance to first order only
+    EXPECT_LT(placed.fit.median, 0.1);
+    EXPECT_FALSE(placed.fit.medianOfInverse);
+  }
+  SolidMeshingOptions moved = aligned(TemplateAlignment::None);
+  for (Vector3 & node : moved.templateMesh->nodes)
+  {
+    node.x() += 4.0;
+  }
+  const PlacedTemplate placed = placeTemplate(moved, solid.phi, solid.volume);
+  EXPECT_GT(placed.fit.rms, 1.5);
+  EXPECT_GT(placed.fit.median, 1.0);
+  EXPECT_LT(placed.fit.median, 4.0);
+}
+
+TEST_F(TemplatePlacement, TheOtherDirectionOfATransformIsMeasured)
+{
+  const OrderedSolid  solid = ellipsoid(semiAxes, 0.75);
+  SolidMeshingOptions options = aligned(TemplateAlignment::Rigid);
+  options.templateNodes = options.templateMesh->nodes;
+  for (std::size_t node = 0; node < options.templateNodes->size(); ++node)
+  {
+    options.templateMesh->nodes[node].x() += 5.0; // the right transform moves by -5 mm, this one by 5 mm
+    (*options.templateNodes)[node].x() += 10.0;
+  }
+  const PlacedTemplate wrong = placeTemplate(options, solid.phi, solid.volume);
+  ASSERT_TRUE(wrong.fit.medianOfInverse);
+  EXPECT_LT(*wrong.fit.medianOfInverse, 0.1);
+  EXPECT_GT(wrong.fit.median, 3.0);
+  EXPECT_EQ(wrong.note.rfind("brought by a given transform, scaled by 1", 0), 0u) << wrong.note;
+  for (Vector3 & node : *options.templateNodes)
+  {
+    node.x() += 80.0;
+  }
+  try
+  {
+    (void)placeTemplate(options, solid.phi, solid.volume);
+    FAIL() << "a template beside the solid was taken";
+  }
+  catch (const InvalidInput & error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::Template);
+    EXPECT_NE(std::string(error.what()).find("no node lies in the organ"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(TemplatePlacement, ATemplateWithoutVolumeIsRefused)

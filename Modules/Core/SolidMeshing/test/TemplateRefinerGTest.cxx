@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 using namespace moserhex;
 
@@ -58,6 +59,21 @@ landmarkAt(const Vector3 & onTemplate, const Vector3 & onSolid)
   return refinement;
 }
 
+template <typename TCall>
+std::optional<ErrorCode>
+codeOf(const TCall & call)
+{
+  try
+  {
+    call();
+  }
+  catch (const InvalidInput & error)
+  {
+    return error.code();
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 TEST(TemplateRefiner, ALandmarkInsideIsFollowedByItsCell)
@@ -79,6 +95,19 @@ TEST(TemplateRefiner, ALandmarkOutsideIsThatOfTheNearestBoundaryPoint)
   const HexMesh            mesh = cube();
   const TemplateRefinement refinement = landmarkAt(Vector3(11.5, 4.7, 8.9), Vector3(10.0, 4.7, 8.9));
   EXPECT_LT(landmarkError(mesh, TemplateRefiner(mesh, refinement).landmarks()), 1e-12);
+}
+
+TEST(TemplateRefiner, SaysHowFarOutsideOfTheTemplateALandmarkIs)
+{
+  const HexMesh      mesh = cube();
+  TemplateRefinement refinement = landmarkAt(Vector3(11.5, 4.7, 8.9), Vector3::Zero());
+  refinement.landmarks.push_back({ Vector3(3.0, 4.0, 5.0), Vector3::Zero() });
+  refinement.landmarks.push_back({ Vector3(-3.0, -4.0, 5.0), Vector3::Zero() });
+  const std::vector<double> outside = TemplateRefiner(mesh, refinement).distancesOutside();
+  ASSERT_EQ(outside.size(), 3u);
+  EXPECT_NEAR(outside[0], 1.5, 1e-12);
+  EXPECT_EQ(outside[1], 0.0);
+  EXPECT_NEAR(outside[2], 5.0, 1e-12);
 }
 
 TEST(TemplateRefiner, AnImageInOtherUnitsIsTheSame)
@@ -119,10 +148,29 @@ TEST(TemplateRefiner, RefusesWhatSaysNothing)
   EXPECT_THROW(TemplateRefiner(mesh, landmarkAt(Vector3::Constant(NAN), Vector3::Zero())), InvalidInput);
   TemplateRefinement refinement;
   refinement.images = CorrespondingImages{ imageOf(wave, -2.0), imageOf(wave) }; // does not cover the cube
-  EXPECT_THROW(TemplateRefiner(mesh, refinement), InvalidInput);
+  EXPECT_EQ(codeOf([&] { TemplateRefiner(mesh, refinement); }), ErrorCode::TemplateImage);
+  refinement.images = CorrespondingImages{ imageOf(wave), imageOf(wave, -2.0) };
+  EXPECT_EQ(codeOf([&] { TemplateRefiner(mesh, refinement).requireSolidCovered(mesh.nodes); }), ErrorCode::Image);
   const ScalarVolume constant = imageOf([](const Vector3 &) { return 7.0; });
-  refinement.images = CorrespondingImages{ constant, constant };
-  EXPECT_THROW((void)TemplateRefiner(mesh, refinement).image(mesh, 1.0), InvalidInput);
+  refinement.images = CorrespondingImages{ constant, imageOf(wave) };
+  EXPECT_EQ(codeOf([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }), ErrorCode::TemplateImage);
+  refinement.images = CorrespondingImages{ imageOf(wave), constant };
+  EXPECT_EQ(codeOf([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }), ErrorCode::Image);
+}
+
+TEST(SmoothedImage, WavesShorterThanItsGridLeaveNoPattern)
+{
+  const double sigma = 4.0; // a grid of 2 mm on voxels of 0.5 mm
+  for (const double wavelength : { 1.25, 1.7, 1.9, 2.3, 2.9 })
+  {
+    const double        k = 2.0 * 3.141592653589793 / wavelength;
+    const SmoothedImage waves(
+      imageOf([k](const Vector3 & q) { return std::sin(k * q.x() + 0.5 * k * q.z()); }, 14.0), cube().nodes, sigma);
+    for (double x = 0.0; x <= 10.0; x += 0.37)
+    {
+      EXPECT_LT(std::abs(waves.at(Vector3(x, 5.1, 4.3)).value), 0.06) << wavelength << ' ' << x;
+    }
+  }
 }
 
 TEST(SmoothedImage, KeepsLinearFunctionsAndDampsWaves)

@@ -93,7 +93,8 @@ public:
   itkOptionMacro(PaddingLayers, int, paddingLayers);
 
   /** A lattice of as many shells that the mesh is to be like, node by node, in place of stages B to I: see
-   * moserhex::meshOnTemplate. By default there is none. Only with the last stage Exact, without padding and density. */
+   * moserhex::meshOnTemplate. By default there is none. Only with the last stage Exact and without padding; with a
+   * density the cells are made equal by mass, and a TemplateRefinement is refused. */
   void
   SetTemplateMesh(std::optional<moserhex::HexMesh> mesh)
   {

@@ -114,10 +114,27 @@ addResidual(const std::string & name, const std::optional<RunReport::Residual> &
   }
 }
 
+/** Rows of the matrix that takes (x, y, z, 1). */
+Json
+matrixJson(const AffineTransform & motion)
+{
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row)
+  {
+    rows.push_back({ motion.matrix(row, 0), motion.matrix(row, 1), motion.matrix(row, 2), motion.translation[row] });
+  }
+  rows.push_back({ 0.0, 0.0, 0.0, 1.0 });
+  return rows;
+}
+
 Json
 templateJson(const RunReport::Template & tied)
 {
   Json json{ { "alignment", tied.alignment } };
+  if (!tied.start.empty())
+  {
+    json["start"] = tied.start;
+  }
   for (const RunReport::File & file : tied.files)
   {
     if (file.role == "mesh")
@@ -132,8 +149,14 @@ templateJson(const RunReport::Template & tied)
   {
     json["turned_degrees"] = tied.aligned->angle;
     json["moved_mm"] = tied.aligned->translation;
+    json["template_to_label"] = matrixJson(tied.aligned->motion);
     json["surface_rms_before_mm"] = tied.aligned->rmsBefore;
-    json["surface_rms_after_mm"] = tied.aligned->rmsAfter;
+  }
+  if (tied.placed)
+  {
+    json["scale"] = tied.placed->scale;
+    json["surface_rms_after_mm"] = tied.placed->rms;
+    json["surface_median_after_mm"] = tied.placed->median;
   }
   addResidual("landmark_rms_mm", tied.landmarks, json);
   addResidual("image_difference", tied.imageDifference, json);

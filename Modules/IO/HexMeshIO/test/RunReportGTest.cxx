@@ -151,6 +151,31 @@ TEST(RunReport, DensityAndFrameAreThereOnlyWhenTheyWereUsed)
   EXPECT_EQ(json["frame"]["edge_score_after"], 1.5);
 }
 
+TEST(RunReport, OfATemplateSaysHowItWasPlaced)
+{
+  RunReport report = someReport();
+  EXPECT_FALSE(Json::parse(toJson(report)).contains("template"));
+  report.templateMesh = RunReport::Template{};
+  report.templateMesh->alignment = "rigid";
+  EXPECT_EQ(Json::parse(toJson(report))["template"], Json({ { "alignment", "rigid" } }));
+  AffineTransform motion;
+  motion.matrix << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  motion.translation = Vector3(10.0, 20.0, 30.0);
+  report.templateMesh->aligned = RunReport::Alignment{ 90.0, 37.5, 8.0, motion };
+  report.templateMesh->placed = RunReport::Placement{ 1.25, 0.5, 0.375 };
+  report.templateMesh->start = "own";
+  EXPECT_EQ(Json::parse(toJson(report))["template"],
+            Json({ { "alignment", "rigid" },
+                   { "start", "own" },
+                   { "turned_degrees", 90.0 },
+                   { "moved_mm", 37.5 },
+                   { "template_to_label", { { 0, -1, 0, 10 }, { 1, 0, 0, 20 }, { 0, 0, 1, 30 }, { 0, 0, 0, 1 } } },
+                   { "surface_rms_before_mm", 8.0 },
+                   { "scale", 1.25 },
+                   { "surface_rms_after_mm", 0.5 },
+                   { "surface_median_after_mm", 0.375 } }));
+}
+
 TEST(RunReport, NumbersRoundTrip)
 {
   const Json json = Json::parse(toJson(someReport()));

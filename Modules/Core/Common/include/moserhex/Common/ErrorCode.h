@@ -24,7 +24,12 @@ enum class ErrorCode
   Topology,    ///< E_TOPOLOGY: not one solid without handles and cavities, and not repaired
   Thin,        ///< E_THIN: too small or too thin for the grid or the smoothing
   Density,     ///< E_DENSITY: a density that does not cover the label or is not positive in it
-  SurfaceOpen, ///< E_SURFACE_OPEN: a surface with a boundary
+  Template,    ///< E_TEMPLATE: a template without volume, or one that does not lie where the label is
+  TemplateImage,      ///< E_TEMPLATE_IMAGE: an image that does not cover the template, or is the same everywhere in it
+  TemplateLandmarks,  ///< E_TEMPLATE_LANDMARKS: landmarks that all lie outside of the template
+  Image,              ///< E_IMAGE: an image that does not cover the label, or is the same everywhere in it
+  Landmarks,          ///< E_LANDMARKS: landmarks that all lie outside of the label
+  SurfaceOpen,        ///< E_SURFACE_OPEN: a surface with a boundary
   SurfaceNonManifold, ///< E_SURFACE_NONMANIFOLD: a surface with edges of other than two triangles, or not orientable
   SurfaceIndex,       ///< E_SURFACE_INDEX: a polygon that names a vertex which is not there
   SurfaceNaN,         ///< E_SURFACE_NAN: a coordinate that is not a finite number

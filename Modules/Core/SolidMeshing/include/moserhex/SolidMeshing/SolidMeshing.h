@@ -138,6 +138,17 @@ struct BoundaryDistance
   double maximumOfNodes{ 0.0 }; ///< nodes alone [mm]
 };
 
+/** How a template lies at a solid before its nodes are moved one by one. */
+struct TemplateFit
+{
+  double scale{ 1.0 };  ///< by which it was made larger in every direction to have the solid's volume [1]
+  double rms{ 0.0 };    ///< root mean square distance of its boundary nodes to the solid's surface [mm]
+  double median{ 0.0 }; ///< of the same distances' amounts [mm]
+  /** The median if the motion nearest to SolidMeshingOptions::templateNodes is taken the other way round: much smaller
+   * where those were made with the inverse of the right transform. Only with such nodes [mm]. */
+  std::optional<double> medianOfInverse;
+};
+
 /** How equal the masses are that stage J made under a density. */
 struct MassReport
 {
@@ -155,10 +166,12 @@ struct SolidMeshingResult
   BoundaryDistance                        boundary;     ///< of the mesh to the surface of the solid that was meshed
   std::optional<FramePlacementResult>     frame;        ///< of LatticeFrame::Ridge
   std::optional<SurfaceAlignmentResult>   alignment;    ///< of a template
+  std::optional<TemplateFit>              templateFit;  ///< of a template, as it was placed
   std::optional<TemplateRefinementResult> refinement;   ///< of a tied mesh
   std::optional<LevelSet>                 simplerSolid; ///< the solid that was meshed when it is not phi
   std::string                             turnWarning;  ///< which of the fallback turns was used; empty: none
   std::vector<std::string>                attempts;     ///< of stage J, in order, and what came of each
+  bool                                    drawnFromOwnMesh{ false };    ///< SolidMeshingOptions::ownMesh, to a template
   bool                                    exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
   std::optional<MassReport>               mass;                         ///< with a density
   std::optional<EqualisationResult>       equalisation;                 ///< stage J; its mesh is emptied
@@ -218,9 +231,12 @@ meshSolid(const LevelSet &            ordering,
  * of the solid has grown, or is the other subject's, its cells grow, and nodes elsewhere stay.
  *
  * result.stages: "template", "exact" and, with a refinement, "refined", with a density, "masses". result.alignment is
- * set where the template is aligned; there are no shells and no sphere maps.
- * \throws InvalidInput  no template, one of another size or with padding; padding, another last stage than Exact, or a
- * density together with a refinement is wanted; NotConverged, Cancelled  as meshSolid */
+ * set where the template is aligned; there are no shells and no sphere maps. Landmarks that lie farther outside of
+ * their organ than 5 mm and two mean cell edges are a warning. \throws InvalidInput  no template, one of another size
+ * or with padding; padding, another last stage than Exact, or a density together with a refinement is wanted \throws
+ * InvalidInput (Template)  the template's cells have no volume, or as it was brought to the solid none of its nodes is
+ * inside; (TemplateLandmarks, Landmarks)  all lie outside of their organ; (TemplateImage, Image)  an image does not
+ * cover its organ, or is the same everywhere in it; NotConverged, Cancelled  as meshSolid */
 [[nodiscard]] SolidMeshingResult
 meshOnTemplate(const LevelSet &            phi,
                double                      volume,

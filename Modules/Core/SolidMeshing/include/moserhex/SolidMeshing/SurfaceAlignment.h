@@ -4,6 +4,8 @@
 #include "moserhex/Geometry/AffineTransform.h"
 #include "moserhex/LevelSet/LevelSet.h"
 
+#include <vector>
+
 namespace moserhex
 {
 
@@ -51,5 +53,10 @@ struct SurfaceAlignmentResult
  * \throws InvalidInput  too few points, or not finite; no solid \note Deterministic. O(points) a step */
 [[nodiscard]] SurfaceAlignmentResult
 alignToSurface(const Positions & points, const LevelSet & phi, const SurfaceAlignmentOptions & options = {});
+
+/** The distances d of alignToSurface. \param points  any \return negative inside [mm]
+ * \throws InvalidInput  a point is not finite */
+[[nodiscard]] std::vector<double>
+signedDistancesToSurface(const Positions & points, const LevelSet & phi);
 
 } // namespace moserhex

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace moserhex
@@ -12,8 +13,9 @@ namespace moserhex
 /** The same place of the organ in two subjects. */
 struct CorrespondingPoints
 {
-  Vector3 onTemplate{ Vector3::Zero() }; ///< in the template's own space [mm]
-  Vector3 onSolid{ Vector3::Zero() };    ///< [mm]
+  Vector3     onTemplate{ Vector3::Zero() }; ///< in the template's own space [mm]
+  Vector3     onSolid{ Vector3::Zero() };    ///< [mm]
+  std::string name{};                        ///< as messages call it; empty: its number
 };
 
 /** One image of each subject, of the same kind. */

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "moserhex/Common/Types.h"
+#include "moserhex/Geometry/AffineTransform.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/LevelSet/TopologyRepair.h"
 
@@ -79,13 +80,20 @@ struct RunReport
     double scoreBefore{ 0.0 }; ///< of the frame before it was turned, as scoreAfter
     double scoreAfter{ 0.0 };  ///< of the cube's edges on the surface, less is better [1]
   };
-  /** How a template was brought to the label. */
+  /** The motion that was sought to bring a template to the label. */
   struct Alignment
   {
-    double angle{ 0.0 };       ///< by which it was turned [degree]
-    double translation{ 0.0 }; ///< by which its middle was moved [mm]
-    double rmsBefore{ 0.0 };   ///< of its surface to the label's [mm]
-    double rmsAfter{ 0.0 };    ///< [mm]
+    double          angle{ 0.0 };       ///< by which it was turned [degree]
+    double          translation{ 0.0 }; ///< by which its middle was moved [mm]
+    double          rmsBefore{ 0.0 };   ///< of its surface to the label's [mm]
+    AffineTransform motion{};           ///< from the template's space to the label's, without the scaling
+  };
+  /** How the template lay at the label before its nodes were moved one by one, see TemplateFit. */
+  struct Placement
+  {
+    double scale{ 1.0 };  ///< by which it was made larger [1]
+    double rms{ 0.0 };    ///< of its surface to the label's [mm]
+    double median{ 0.0 }; ///< of the same distances [mm]
   };
   /** What a refinement left of a distance. */
   struct Residual
@@ -110,10 +118,12 @@ struct RunReport
   /** The mesh that this one is tied to, how it was brought to the label, and how the two were made more alike. */
   struct Template
   {
-    std::vector<File>        files;           ///< the mesh first, then what else is known of both subjects
-    std::string              alignment;       ///< rigid | affine | none | file
-    std::optional<Alignment> aligned;         ///< where it was sought
-    std::optional<Residual>  landmarks;       ///< root mean square over them [mm]
+    std::vector<File>        files;     ///< the mesh first, then what else is known of both subjects
+    std::string              alignment; ///< rigid | affine | none | file
+    std::optional<Alignment> aligned;   ///< where it was sought
+    std::optional<Placement> placed;    ///< empty: no mesh yet
+    std::string              start;     ///< of the mesh: template | own (the label's own mesh); empty: no mesh yet
+    std::optional<Residual>  landmarks; ///< root mean square over them [mm]
     std::optional<Residual>  imageDifference; ///< root mean square, in standard deviations of the image [1]
     std::optional<Growth>    growth;          ///< of single cells; empty: all cells equal
   };
