@@ -1,7 +1,7 @@
 #include "TimeSeries.h"
 
 #include "CommandErrors.h"
-#include "LatticeTurn.h"
+#include "MeshRecord.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/TransformFile.h"
 
@@ -86,12 +86,14 @@ TimeSeries
 readTimeSeries(const CompareCommandOptions & options)
 {
   requireUsable(options);
-  TimeSeries series;
-  HexMesh    baseline;
+  TimeSeries              series;
+  std::vector<TurnOfFile> turns;
+  HexMesh                 baseline;
   for (std::size_t time = 0; time < options.meshes.size(); ++time)
   {
     const std::string & file = options.meshes[time];
-    const HexMesh       mesh = readHexMesh(file, { options.sandbox });
+    const HexMeshFile   read = readHexMeshFile(file, { options.sandbox });
+    const HexMesh &     mesh = read.mesh;
     if (time == 0)
     {
       baseline = mesh;
@@ -110,11 +112,9 @@ readTimeSeries(const CompareCommandOptions & options)
       point.alignment = similarityOfFile(options.transforms[time - 1], { options.sandbox }).inverse();
     }
     series.points.push_back(point);
-    if (const std::optional<std::string> turn = turnOfLattice(file))
-    {
-      series.warnings.push_back(fileMessage(file, *turn, "what is measured may be the turn"));
-    }
+    turns.push_back({ file, turnOfLattice(file, read.meshArrays) });
   }
+  series.warnings = turnWarnings(turns, "what is measured may be the turn");
   series.paddingLayers = baseline.paddingLayers;
   if (series.paddingLayers > 0)
   {
