@@ -77,7 +77,7 @@ TEST(RegionMeasures, KnownGrowthIsFoundInItsPlace)
 {
   const auto comparison = compareWithBaseline(box(), grown(), AlignmentKind::None, 1);
   const auto rows = regionRows(box(), comparison, chosenRegions({ "halves" }, 6));
-  EXPECT_NEAR(comparison.volumeChange, 40.0, 1e-10);
+  EXPECT_NEAR(comparison.latticeVolumeChange, 40.0, 1e-10);
   EXPECT_NEAR(in(rows, "organ", "volumetric").maximum, 3.0 / 1.4 - 1.0, 1e-12);
   EXPECT_NEAR(in(rows, "organ", "volumetric").mean, 0.0, 1e-12);
   EXPECT_NEAR(in(rows, "organ", "displacement").mean, 0.2 * 2.0, 1e-12); // the centre of the last cells moves by 2 mm
@@ -108,7 +108,7 @@ TEST(RegionMeasures, VolumesAreThoseOfTheOrganAlsoWhenItsSizeIsTakenAway)
   const auto comparison = compareWithBaseline(box(), large, AlignmentKind::Similarity, 1);
   const auto rows = regionRows(box(), comparison, {});
   EXPECT_NEAR(rows.front().volume, 3375.0, 1e-8);
-  EXPECT_NEAR(comparison.volumeChange, 237.5, 1e-9);
+  EXPECT_NEAR(comparison.latticeVolumeChange, 237.5, 1e-9);
   EXPECT_NEAR(in(rows, "organ", "displacement").maximum, 0.0, 1e-12);
 }
 

@@ -77,12 +77,12 @@ runCompareCommand(const CompareCommandOptions & options)
   TimeSeries series = readTimeSeries(options);
   requireInputsKept(options, series);
   std::vector<RegionSet> sets = chosenRegions(options.regions, series.points.front().lattice.nodesPerSide);
-  for (const std::string & warning : series.warnings)
+  const Comparison comparison =
+    compareSeries(std::move(series), alignmentName(options), std::move(sets), options.threads);
+  for (const std::string & warning : comparison.series.warnings)
   {
     printWarning(warning);
   }
-  const Comparison comparison =
-    compareSeries(std::move(series), alignmentName(options), std::move(sets), options.threads);
   makeFolder(options.outputFolder);
   writeTimeMeshes(options.outputFolder, comparison);
   writeTextFile((std::filesystem::path(options.outputFolder) / "regions.csv").string(), regionTable(comparison, ','));

@@ -44,9 +44,9 @@ measurementsOf(const app::Comparison & comparison)
   const app::TimeComparison &  last = comparison.times.back();
   const WeightedDistribution & surface = app::ofOrgan(comparison.rows.back(), "signed_distance");
   const WeightedDistribution & stretch = app::ofOrgan(comparison.rows.back(), "largest_stretch");
-  return { { "baselineVolume", app::numberText(comparison.times.front().volume) },
-           { "followUpVolume", app::numberText(last.volume) },
-           { "volumeChange", app::numberText(last.volumeChange) },
+  return { { "baselineVolume", app::numberText(comparison.series.points.front().volume) },
+           { "followUpVolume", app::numberText(comparison.series.points.back().volume) },
+           { "volumeChange", app::numberText(app::volumeChange(comparison.series, 1)) },
            { "surfaceOut05", app::numberText(surface.p05) },
            { "surfaceOut50", app::numberText(surface.median) },
            { "surfaceOut95", app::numberText(surface.p95) },
