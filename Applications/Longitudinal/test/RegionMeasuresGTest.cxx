@@ -89,6 +89,43 @@ TEST(RegionMeasures, KnownGrowthIsFoundInItsPlace)
   EXPECT_GT(in(rows, "left", "normal_motion").maximum, 3.0);
 }
 
+TEST(RegionMeasures, TheInnermostShellIsOneCell)
+{
+  const HexMesh small = analytic::cubeLattice(20, 2.0);
+  HexMesh       large = small;
+  for (Vector3 & node : large.nodes)
+  {
+    node += 0.003 * node[0] * node[0] * Vector3::UnitX();
+  }
+  const auto rows =
+    regionRows(small, compareWithBaseline(small, large, AlignmentKind::None, 1), chosenRegions({ "shells" }, 20));
+  for (const char * measure : { "displacement", "strain_1", "volumetric", "largest_stretch" })
+  {
+    const WeightedDistribution & values = in(rows, "shell-1", measure);
+    EXPECT_EQ(values.minimum, values.maximum) << measure;
+    EXPECT_LT(in(rows, "shell-2", measure).minimum, values.minimum) << measure;
+  }
+}
+
+TEST(RegionMeasures, OnlyLinesThatCrossTheOrganAreItsThickness)
+{
+  HexMesh bulged = box(); // edges of the cube along i are drawn out, lines inside are not
+  for (int i = 0; i < 6; ++i)
+  {
+    bulged.nodes[bulged.nodeNumber(i, 0, 0)][0] *= 1.05;
+  }
+  const auto rows = regionRows(box(), compareWithBaseline(box(), bulged, AlignmentKind::None, 1), {});
+  EXPECT_NEAR(in(rows, "organ", "thickness_change").maximum, 0.0, 1e-12);
+}
+
+TEST(RegionMeasures, ALatticeOfOneCellHasNoThickness)
+{
+  const HexMesh cell = analytic::cubeLattice(2, 2.0);
+  const auto    rows = regionRows(cell, compareWithBaseline(cell, cell, AlignmentKind::None, 1), {});
+  EXPECT_THROW((void)in(rows, "organ", "thickness_change"), InvalidInput);
+  EXPECT_NO_THROW((void)in(rows, "organ", "signed_distance"));
+}
+
 TEST(RegionMeasures, RegionsWithoutSurfaceHaveNoRowOfIt)
 {
   const auto rows =

@@ -104,8 +104,8 @@ TEST_F(CompareCommand, ThreeTimesGiveASeriesATableAndASummary)
   EXPECT_TRUE(summary["times"][2]["uniform_growth"].get<bool>());
 
   const TextTable table = readTextTable(path("out/regions.csv"));
-  // 3 times, 11 measures of the organ, of 8 octants and of the outer shell, 7 of the inner one
-  EXPECT_EQ(table.rows.size(), 3u * (11 * 10 + 7));
+  // 3 times, 12 measures of the organ, of 8 octants and of the outer shell, 7 of the inner one
+  EXPECT_EQ(table.rows.size(), 3u * (12 * 10 + 7));
   EXPECT_EQ(table.rows.back().cells[1], "third");
 }
 
