@@ -141,6 +141,22 @@ TEST_F(CompareCommand, AlignmentAndRegionsAreChosen)
   EXPECT_EQ(table.find("octants"), std::string::npos);
 }
 
+TEST_F(CompareCommand, OptionsMayComeBeforeTheMeshes)
+{
+  std::ofstream(path("move.tfm")) << "#Insight Transform File V1.0\n#Transform 0\n"
+                                     "Transform: TranslationTransform_double_3_3\n"
+                                     "Parameters: 50 0 0\nFixedParameters: \n";
+  const std::vector<std::vector<std::string>> options{
+    { "--transforms", path("move.tfm") }, { "--regions", "octants" }, { "--times", "0,12" }, { "--names", "x,y" }
+  };
+  for (const std::vector<std::string> & option : options)
+  {
+    const Outcome outcome = run(
+      { "compare", "--output", path("out"), "--quiet", option.front(), option.back(), path("a.vtu"), path("b.vtu") });
+    EXPECT_EQ(outcome.exitCode, 0) << option.front() << ": " << outcome.error;
+  }
+}
+
 TEST_F(CompareCommand, PaddingCountsAsPartOfTheOrgan)
 {
   const auto withPadding = [](double thickness) { // of two layers around a cube of 3 mm [mm]
