@@ -1,13 +1,10 @@
 #include "SubjectMeshes.h"
 
+#include "MeshRecord.h"
 #include "Silhouette.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/ShapeStatistics/ShapeModel.h"
 
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 
 namespace moserhex::app
@@ -31,36 +28,18 @@ requireSameLattice(const std::string & fileName, const HexMesh & mesh, const Sub
 
 } // namespace
 
-std::string
-turnedLatticeWarning(const std::string & mesh)
-{
-  std::ifstream        stream(std::filesystem::path(mesh).replace_extension(".json"));
-  const nlohmann::json report = nlohmann::json::parse(stream, nullptr, false);
-  const auto           warnings = report.is_object() ? report.find("warnings") : report.end();
-  if (!report.is_object() || warnings == report.end() || !warnings->is_array())
-  {
-    return "";
-  }
-  for (const nlohmann::json & warning : *warnings)
-  {
-    if (warning.is_string() && warning.get<std::string>().find("lattice is turned") != std::string::npos)
-    {
-      return fileMessage(mesh, warning.get<std::string>(), "its nodes may not correspond to the others'");
-    }
-  }
-  return "";
-}
-
 SubjectMeshes
 readSubjectMeshes(const AtlasSubjects &               subjects,
                   const AtlasOptions &                options,
                   const std::function<void(double)> & done)
 {
-  SubjectMeshes result;
+  SubjectMeshes           result;
+  std::vector<TurnOfFile> turns;
   for (std::size_t i = 0; i < subjects.subjects.size(); ++i)
   {
     const std::string & file = subjects.subjects[i].mesh;
-    const HexMesh       mesh = readHexMesh(file, { options.sandbox });
+    const HexMeshFile   read = readHexMeshFile(file, { options.sandbox });
+    const HexMesh &     mesh = read.mesh;
     if (i == 0)
     {
       result.nodesPerSide = mesh.nodesPerSide;
@@ -73,13 +52,10 @@ readSubjectMeshes(const AtlasSubjects &               subjects,
     const std::vector<double> volumes = cellVolumes(mesh);
     result.figures.push_back(
       { std::accumulate(volumes.begin(), volumes.end(), 0.0), centroidSize(mesh.nodes), silhouette(mesh) });
-    const std::string warning = turnedLatticeWarning(file);
-    if (!warning.empty())
-    {
-      result.warnings.push_back(warning);
-    }
+    turns.push_back({ file, turnOfLattice(file, read.meshArrays) });
     done(static_cast<double>(i + 1) / static_cast<double>(subjects.subjects.size()));
   }
+  result.warnings = turnWarnings(turns, "its nodes may not correspond to the others'");
   return result;
 }
 

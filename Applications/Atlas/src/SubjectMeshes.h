@@ -28,7 +28,7 @@ struct SubjectMeshes
   int                          paddingLayers{ 0 };
   std::unique_ptr<SubjectFile> nodes; ///< a row a subject [mm]
   std::vector<SubjectFigures>  figures;
-  std::vector<std::string>     warnings; ///< of reports beside the meshes that say that the lattice was turned
+  std::vector<std::string>     warnings; ///< of lattices that were turned against the others, see turnWarnings
 };
 
 /** Reads the meshes one after the other.
@@ -38,10 +38,5 @@ struct SubjectMeshes
 readSubjectMeshes(const AtlasSubjects &               subjects,
                   const AtlasOptions &                options,
                   const std::function<void(double)> & done);
-
-/** The warning of the report beside a mesh (PATH/NAME.json of PATH/NAME.vtu) that the lattice was turned; empty where
- * there is none. */
-[[nodiscard]] std::string
-turnedLatticeWarning(const std::string & mesh);
 
 } // namespace moserhex::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "MeshRecord.h"
+
 #include <map>
 #include <optional>
 #include <string>
@@ -20,9 +22,6 @@ struct CaseReport
   std::string                   outline; ///< of the mesh, see RunReport
   std::map<std::string, double> figures; ///< all of summaryFigures(); NaN where the report has no number
 };
-
-/** Larger files are not reports. */
-inline constexpr std::size_t largestReport = std::size_t{ 16 } << 20;
 
 /** Reads a report that `mesh` wrote. Empty when there is no such file, when it is damaged or too large, or when another
  * program wrote it. */

@@ -18,8 +18,15 @@ struct Comparison
   std::vector<std::vector<RegionRow>> rows;  ///< of each point
 };
 
-/** Aligns and measures every point of the series. \throws InvalidInput  as the functions of the module Deformation */
+/** Aligns and measures every point of the series, and adds to its warnings what that makes doubtful: regions (see
+ * regionWarnings), and a lattice that lies turned against the baseline's by more than patients do.
+ * \throws BadInput (Precondition)  a mesh cannot be compared, see the functions of the module Deformation: a cell
+ * without volume; names its file */
 [[nodiscard]] Comparison
 compareSeries(TimeSeries series, const std::string & align, std::vector<RegionSet> sets, unsigned int threads);
+
+/** Change of the organ's volume, padding included, against the baseline [%]. */
+[[nodiscard]] double
+volumeChange(const TimeSeries & series, std::size_t time);
 
 } // namespace moserhex::app

@@ -77,6 +77,7 @@ pointArrays(const TimeComparison & time)
            vectorArray("ThicknessChange", time.thicknessChange),
            boundaryArray("NormalMotion", time, time.surface.normalMotion),
            boundaryArray("SignedDistance", time, time.surface.signedDistance),
+           boundaryArray("BaselineSignedDistance", time, time.surface.baselineSignedDistance),
            areaRatioArray(time) };
 }
 

@@ -25,11 +25,12 @@ regionArrays(const std::vector<RegionSet> & sets, int nodesPerSide);
 
 /** Writes the lattice at one time, aligned, with what is measured on it, as .vtu or .vtk.
  *
- * Point data: Displacement (3) [mm], Thickness (3) and ThicknessChange (3) along i, j, k [mm]; on the boundary, NaN
- * inside: NormalMotion, SignedDistance [mm], AreaRatio of the quadrilaterals around the node [1]. Cell data: DetF,
- * Volumetric, DeformationGradient (9, by rows), Strain (6: xx yy zz xy yz xz), PrincipalStrain (3),
- * PrincipalDirection1, 2, 3 (3 each), DeviatoricStrain, LargestStretch [1]; regionArrays.
- * \throws IOError; InvalidInput, BadInput  as writeHexMesh, of the name */
+ * Point data: Displacement (3) [mm], Thickness (3) and ThicknessChange (3) along i, j, k [mm], NaN along the surface;
+ * on the boundary, NaN inside: NormalMotion, SignedDistance, BaselineSignedDistance (at the node that was the
+ * baseline's) [mm], AreaRatio of the quadrilaterals around the node [1]. Cell data: DetF, Volumetric,
+ * DeformationGradient (9, by rows), Strain (6: xx yy zz xy yz xz), PrincipalStrain (3), PrincipalDirection1, 2, 3 (3
+ * each), DeviatoricStrain, LargestStretch [1]; regionArrays. \throws IOError; InvalidInput, BadInput  as writeHexMesh,
+ * of the name */
 void
 writeTimeMesh(const std::string & fileName, const Comparison & comparison, std::size_t time);
 

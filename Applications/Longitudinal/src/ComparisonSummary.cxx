@@ -3,7 +3,6 @@
 #include "Version.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
-#include "moserhex/HexMeshIO/InputChecksum.h"
 
 #include <nlohmann/json.hpp>
 
@@ -28,13 +27,39 @@ vectorJson(const Vector3 & v)
 }
 
 Json
-alignmentJson(const SimilarityTransform & alignment)
+fileJson(const InputFile & file)
+{
+  return { { "file", file.name }, { "sha256", file.sha256 } };
+}
+
+/** \param transform  that the alignment was read from; it leads the other way */
+Json
+alignmentJson(const SimilarityTransform & alignment, const InputFile & transform)
 {
   const Matrix3 & R = alignment.rotation;
-  return { { "scale", alignment.scale },
-           { "rotation", { vectorJson(R.row(0)), vectorJson(R.row(1)), vectorJson(R.row(2)) } },
-           { "translation_mm", vectorJson(alignment.translation) },
-           { "rotation_degrees", alignment.angle() } };
+  Json            json{ { "direction", "this time to baseline" },
+             { "scale", alignment.scale },
+             { "rotation", { vectorJson(R.row(0)), vectorJson(R.row(1)), vectorJson(R.row(2)) } },
+             { "translation_mm", vectorJson(alignment.translation) },
+             { "rotation_degrees", alignment.angle() } };
+  if (!transform.name.empty())
+  {
+    json["transform"] = fileJson(transform);
+    json["transform"]["direction"] = "baseline to this time";
+  }
+  return json;
+}
+
+/** With the table that they are from, if they are. */
+Json
+regionSetJson(const RegionSet & set)
+{
+  Json json{ { "set", set.name } };
+  if (!set.table.name.empty())
+  {
+    json.update(fileJson(set.table));
+  }
+  return json;
 }
 
 Json
@@ -74,12 +99,16 @@ timeJson(const Comparison & comparison, std::size_t time)
   const TimeComparison & found = comparison.times[time];
   return { { "name", point.name },
            { "months", point.months ? Json(*point.months) : Json() },
-           { "file", point.file },
-           { "sha256", sha256OfInput(point.file) },
+           { "file", point.file.name },
+           { "sha256", point.file.sha256 },
            { "mesh", meshFileOfTime(time) },
-           { "volume_mm3", found.volume },
-           { "volume_change_percent", found.volumeChange },
-           { "alignment", alignmentJson(found.alignment) },
+           { "volume_mm3", point.volume },
+           { "volume_change_percent", volumeChange(comparison.series, time) },
+           { "lattice_volume_mm3", found.latticeVolume },
+           { "lattice_volume_change_percent", found.latticeVolumeChange },
+           { "cell_volume_variance", point.quality.volumeVariance },
+           { "concave_cells", point.quality.concaveCells },
+           { "alignment", alignmentJson(found.alignment, point.transform) },
            { "uniform_growth", isUniformGrowth(found.cells) },
            { "largest_stretch",
              time == 0 ? Json()
@@ -100,7 +129,6 @@ std::string
 timeLine(const Comparison & comparison, std::size_t time)
 {
   const TimePoint &              point = comparison.series.points[time];
-  const TimeComparison &         found = comparison.times[time];
   const std::vector<RegionRow> & rows = comparison.rows[time];
   const WeightedDistribution &   motion = ofOrgan(rows, "signed_distance");
   const WeightedDistribution &   stretch = ofOrgan(rows, "largest_stretch");
@@ -109,8 +137,8 @@ timeLine(const Comparison & comparison, std::size_t time)
   return formatted("%-20s %7s %10.2f %9.2f %12.2f %7.2f %7.2f %9.3f %8.3f %8.3f\n",
                    name.c_str(),
                    months.c_str(),
-                   found.volume / 1000.0,
-                   found.volumeChange,
+                   point.volume / 1000.0,
+                   volumeChange(comparison.series, time),
                    motion.p05,
                    motion.median,
                    motion.p95,
@@ -169,7 +197,12 @@ writeComparisonSummary(const std::string & folder, const Comparison & comparison
              { "align", comparison.align },
              { "nodes_per_side", comparison.series.points.front().lattice.nodesPerSide },
              { "padding_left_out", comparison.series.paddingLayers },
+             { "regions", Json::array() },
              { "times", Json::array() } };
+  for (const RegionSet & set : comparison.sets)
+  {
+    json["regions"].push_back(regionSetJson(set));
+  }
   for (std::size_t time = 0; time < comparison.times.size(); ++time)
   {
     json["times"].push_back(timeJson(comparison, time));

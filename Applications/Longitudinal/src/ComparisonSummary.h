@@ -29,8 +29,8 @@ isUniformGrowth(const CellDeformation & cells);
 [[nodiscard]] const WeightedDistribution &
 ofOrgan(const std::vector<RegionRow> & rows, const std::string & measure);
 
-/** summary.json: what was compared and how, and for each time volume, alignment and the measures of the whole organ.
- * \throws IOError; BadInput  a mesh is gone */
+/** summary.json: what was compared and how, with checksums of all files that were read; for each time volume, evenness
+ * of the cells, alignment and the measures of the whole organ. \throws IOError */
 void
 writeComparisonSummary(const std::string & folder, const Comparison & comparison);
 

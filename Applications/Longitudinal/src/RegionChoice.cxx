@@ -80,7 +80,7 @@ readRegions(const std::string & file)
 {
   const TextTable       table = readTextTable(file);
   const auto            columns = columnsOf(table, file);
-  RegionSet             set{ "boxes", {} };
+  RegionSet             set{ "boxes", {}, inputFile(file) };
   std::set<std::string> names;
   for (const TextTable::Row & row : table.rows)
   {
@@ -99,6 +99,52 @@ readRegions(const std::string & file)
 }
 
 bool
+areOverlapping(const CubeBox & a, const CubeBox & b)
+{
+  constexpr double rounding = 1e-9; // boxes that touch [1]
+  return ((a.upper.cwiseMin(b.upper) - a.lower.cwiseMax(b.lower)).array() > rounding).all();
+}
+
+void
+addWarningOfOverlaps(const RegionSet & boxes, std::vector<std::string> & warnings)
+{
+  std::size_t pairs = 0;
+  std::string first;
+  for (std::size_t b = 0; b < boxes.regions.size(); ++b)
+  {
+    for (std::size_t a = 0; a < b; ++a)
+    {
+      if (areOverlapping(boxes.regions[a].box, boxes.regions[b].box))
+      {
+        first =
+          pairs++ == 0 ? oneLine(boxes.regions[a].name, 20) + " and " + oneLine(boxes.regions[b].name, 20) : first;
+      }
+    }
+  }
+  if (pairs > 0)
+  {
+    warnings.push_back(fileMessage(boxes.table.name,
+                                   first + " overlap" + (pairs > 1 ? ", as others do" : ""),
+                                   "in the table both count what is in both, the array Boxes shows the first"));
+  }
+}
+
+void
+addWarningsOfThinBoxes(const RegionSet & boxes, int nodesPerSide, std::vector<std::string> & warnings)
+{
+  for (const CubeRegion & region : boxes.regions)
+  {
+    const std::vector<int> numbers = regionOfCells({ region }, nodesPerSide);
+    if (std::all_of(numbers.begin(), numbers.end(), [](int number) { return number == 0; }))
+    {
+      warnings.push_back(fileMessage(boxes.table.name,
+                                     oneLine(region.name, 20) + " has more than half of no cell",
+                                     "the table counts its parts of cells, the array Boxes does not show it"));
+    }
+  }
+}
+
+bool
 isTableName(const std::string & choice)
 {
   const std::string ending = std::filesystem::path(choice).extension().string();
@@ -110,15 +156,15 @@ setOf(const std::string & choice, int nodesPerSide)
 {
   if (choice == "octants")
   {
-    return { choice, octantRegions() };
+    return { choice, octantRegions(), {} };
   }
   if (choice == "halves")
   {
-    return { choice, halfRegions() };
+    return { choice, halfRegions(), {} };
   }
   if (choice == "shells")
   {
-    return { choice, shellRegions(nodesPerSide) };
+    return { choice, shellRegions(nodesPerSide), {} };
   }
   if (isTableName(choice))
   {
@@ -143,6 +189,21 @@ chosenRegions(const std::vector<std::string> & choices, int nodesPerSide)
     }
   }
   return sets;
+}
+
+std::vector<std::string>
+regionWarnings(const std::vector<RegionSet> & sets, int nodesPerSide)
+{
+  std::vector<std::string> warnings;
+  for (const RegionSet & set : sets)
+  {
+    if (!set.table.name.empty())
+    {
+      addWarningOfOverlaps(set, warnings);
+      addWarningsOfThinBoxes(set, nodesPerSide, warnings);
+    }
+  }
+  return warnings;
 }
 
 } // namespace moserhex::app

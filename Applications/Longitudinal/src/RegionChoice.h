@@ -1,5 +1,6 @@
 #pragma once
 
+#include "InputFile.h"
 #include "moserhex/Deformation/CubeRegions.h"
 
 #include <string>
@@ -13,6 +14,7 @@ struct RegionSet
 {
   std::string             name; ///< octants, halves, shells; boxes: of a table
   std::vector<CubeRegion> regions;
+  InputFile               table{}; ///< of boxes
 };
 
 /** The sets that are asked for by name or by the name of a table, in their order.
@@ -25,5 +27,9 @@ struct RegionSet
  * a name is empty or there twice, with the line's number */
 [[nodiscard]] std::vector<RegionSet>
 chosenRegions(const std::vector<std::string> & choices, int nodesPerSide);
+
+/** What the array Boxes cannot show: boxes of a table that overlap, and a box that has more than half of no cell. */
+[[nodiscard]] std::vector<std::string>
+regionWarnings(const std::vector<RegionSet> & sets, int nodesPerSide);
 
 } // namespace moserhex::app

@@ -35,19 +35,25 @@ displacementOfCell(const TimeComparison & comparison, std::size_t cell)
   return (sum / 8.0).norm();
 }
 
-/** Mean of the values of its four nodes for each boundary quadrilateral; value(node, axis across the quadrilateral). */
+/** Mean of the values of its nodes that have one for each boundary quadrilateral, NaN where none has; value(node, axis
+ * across the quadrilateral). */
 std::vector<double>
 meansAroundQuads(const HexMesh & mesh, const std::function<double(std::size_t, Eigen::Index)> & value)
 {
   const std::vector<Quadrilateral> quads = boundaryQuads(mesh);
   const std::size_t                anAxis = quads.size() / 3;
-  std::vector<double>              means(quads.size(), 0.0);
+  std::vector<double>              means(quads.size());
   for (std::size_t quad = 0; quad < quads.size(); ++quad)
   {
+    double sum = 0.0;
+    int    count = 0;
     for (const std::size_t node : quads[quad])
     {
-      means[quad] += 0.25 * value(node, static_cast<Eigen::Index>(quad / anAxis));
+      const double ofNode = value(node, static_cast<Eigen::Index>(quad / anAxis));
+      sum += std::isnan(ofNode) ? 0.0 : ofNode;
+      count += std::isnan(ofNode) ? 0 : 1;
     }
+    means[quad] = sum / count; // 0 / 0 where none has a value
   }
   return means;
 }
@@ -86,6 +92,18 @@ products(const std::vector<double> & a, const std::vector<double> & b)
   return result;
 }
 
+/** Weights of what has a value. */
+std::vector<double>
+weightsOf(const Measure & measure, const std::vector<double> & weights)
+{
+  std::vector<double> result = weights;
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = std::isnan(measure.values[i]) ? 0.0 : result[i];
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<Measure>
@@ -114,6 +132,7 @@ measuresOf(const TimeComparison & comparison)
     ofCells("largest_stretch", "1", [&](std::size_t cell) { return strain(cell).largestStretch; }),
     ofNodes("normal_motion", comparison.surface.normalMotion),
     ofNodes("signed_distance", comparison.surface.signedDistance),
+    ofNodes("baseline_signed_distance", comparison.surface.baselineSignedDistance),
     { "thickness_change", "mm", true, meansAroundQuads(comparison.mesh, thickness) },
     { "area_ratio", "1", true, comparison.surface.areaRatio },
   };
@@ -125,7 +144,7 @@ regionRows(const HexMesh & baseline, const TimeComparison & comparison, const st
   const std::vector<Measure> measures = measuresOf(comparison);
   const std::vector<double>  before = cellVolumes(baseline);
   const double               sizeTakenAway = std::pow(comparison.alignment.scale, 3);
-  std::vector<RegionSet>     all{ { "organ", { wholeRegion() } } };
+  std::vector<RegionSet>     all{ { "organ", { wholeRegion() }, {} } };
   all.insert(all.end(), sets.begin(), sets.end());
   std::vector<RegionRow> rows;
   for (const RegionSet & set : all)
@@ -137,7 +156,8 @@ regionRows(const HexMesh & baseline, const TimeComparison & comparison, const st
       const double volume = weightedSum(volumes, comparison.cells.volumeRatio) / sizeTakenAway;
       for (const Measure & measure : measures)
       {
-        if (const auto values = weightedDistribution(measure.values, measure.isOfSurface ? areas : volumes))
+        if (const auto values =
+              weightedDistribution(measure.values, weightsOf(measure, measure.isOfSurface ? areas : volumes)))
         {
           rows.push_back({ set.name, region.name, measure.name, measure.unit, *values, volume });
         }

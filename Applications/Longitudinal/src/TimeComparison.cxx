@@ -54,8 +54,8 @@ compareWithBaseline(const HexMesh &             baseline,
   result.surface = surfaceMotion(baseline, result.mesh, threads);
   result.thickness = latticeLineLengths(result.mesh);
   result.thicknessChange = differences(result.thickness, latticeLineLengths(baseline));
-  result.volume = volumeOf(followUp);
-  result.volumeChange = 100.0 * (result.volume / volumeOf(baseline) - 1.0);
+  result.latticeVolume = volumeOf(followUp);
+  result.latticeVolumeChange = 100.0 * (result.latticeVolume / volumeOf(baseline) - 1.0);
   return result;
 }
 

@@ -15,10 +15,10 @@ struct TimeComparison
   Positions           displacement; ///< aligned follow-up minus baseline, n^3 [mm]
   CellDeformation     cells;
   SurfaceMotion       surface;
-  Positions           thickness;           ///< of the aligned follow-up along i, j, k, n^3 [mm]
-  Positions           thicknessChange;     ///< n^3 [mm]
-  double              volume{ 0.0 };       ///< of the follow-up as it was read [mm^3]
-  double              volumeChange{ 0.0 }; ///< of the organ as it was read, against the baseline [%]
+  Positions           thickness;       ///< of the aligned follow-up along i, j, k, n^3, see latticeLineLengths [mm]
+  Positions           thicknessChange; ///< n^3 [mm]
+  double              latticeVolume{ 0.0 };       ///< of the follow-up's lattice as it was read, without padding [mm^3]
+  double              latticeVolumeChange{ 0.0 }; ///< of it, against the baseline's [%]
 };
 
 /** \param alignment  of the follow-up onto the baseline \param threads  as in parallelFor

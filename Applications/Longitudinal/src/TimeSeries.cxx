@@ -1,12 +1,15 @@
 #include "TimeSeries.h"
 
 #include "CommandErrors.h"
-#include "LatticeTurn.h"
+#include "MeshRecord.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/TransformFile.h"
 
 #include <cmath>
 #include <filesystem>
+#include <numeric>
+#include <sstream>
+#include <utility>
 
 namespace moserhex::app
 {
@@ -64,7 +67,76 @@ requireSameLattice(const std::string & file, const HexMesh & mesh, const HexMesh
   }
 }
 
+std::string
+nameOfTime(const CompareCommandOptions & options, std::size_t time)
+{
+  return options.names.empty() ? std::filesystem::path(options.meshes[time]).stem().string() : options.names[time];
+}
+
+void
+takeMesh(const HexMesh & mesh, TimePoint & point)
+{
+  const std::vector<double> volumes = cellVolumes(mesh);
+  point.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  point.lattice = latticePart(mesh);
+  point.quality = volumeQuality(point.lattice);
+}
+
+std::string
+shortNumber(double value)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << value;
+  return text.str();
+}
+
+/** What the cells of a mesh by itself make doubtful. */
+void
+addWarningsOfCells(const TimePoint & point, std::vector<std::string> & warnings)
+{
+  if (point.quality.concaveCells > 0)
+  {
+    warnings.push_back(fileMessage(point.file.name,
+                                   std::to_string(point.quality.concaveCells) + " of " +
+                                     std::to_string(point.lattice.cellCount()) + " cells are concave",
+                                   "strain and Volumetric of folded cells mean nothing; give an exact mesh"));
+  }
+  if (isReportedInexact(point.file.name))
+  {
+    warnings.push_back(fileMessage(
+      point.file.name, "its report says that it is not exact", "uneven volumes of its cells are no local growth"));
+  }
+}
+
+/** Volumes of cells say what has grown only where both meshes were made alike, or the follow-up's volumes were freed.
+ */
+void
+addWarningOfUnevenCells(const TimePoint & baseline, const TimePoint & followUp, std::vector<std::string> & warnings)
+{
+  if (hasEvenCells(baseline) == hasEvenCells(followUp))
+  {
+    return;
+  }
+  const bool        isBaseline = hasEvenCells(followUp);
+  const TimePoint & uneven = isBaseline ? baseline : followUp;
+  const TimePoint & even = isBaseline ? followUp : baseline;
+  warnings.push_back(fileMessage(uneven.file.name,
+                                 "its cells are uneven (variance of the volumes " +
+                                   shortNumber(uneven.quality.volumeVariance) + "), those of " +
+                                   oneLine(even.name, 30) + " are not",
+                                 isBaseline ? "Volumetric is no local growth"
+                                            : "Volumetric is local growth only if it was made with its volumes free"));
+}
+
 } // namespace
+
+bool
+hasEvenCells(const TimePoint & point)
+{
+  constexpr double even = 1e-12; // [1]
+  return point.quality.volumeVariance <= even;
+}
 
 AlignmentKind
 alignmentOf(const std::string & align)
@@ -86,41 +158,45 @@ TimeSeries
 readTimeSeries(const CompareCommandOptions & options)
 {
   requireUsable(options);
-  TimeSeries series;
-  HexMesh    baseline;
+  TimeSeries              series;
+  std::vector<TurnOfFile> turns;
+  HexMesh                 baseline;
   for (std::size_t time = 0; time < options.meshes.size(); ++time)
   {
-    const std::string & file = options.meshes[time];
-    const HexMesh       mesh = readHexMesh(file, { options.sandbox });
+    TimePoint point;
+    point.file = inputFile(options.meshes[time]);
+    HexMeshFile read = readHexMeshFile(point.file.name, { options.sandbox });
+    turns.push_back({ point.file.name, turnOfLattice(point.file.name, read.meshArrays) });
     if (time == 0)
     {
-      baseline = mesh;
+      baseline = read.mesh;
     }
-    requireSameLattice(file, mesh, baseline);
-    TimePoint point;
-    point.file = file;
-    point.name = options.names.empty() ? std::filesystem::path(file).stem().string() : options.names[time];
+    requireSameLattice(point.file.name, read.mesh, baseline);
+    takeMesh(read.mesh, point);
+    point.name = nameOfTime(options, time);
     if (!options.times.empty())
     {
       point.months = options.times[time];
     }
-    point.lattice = latticePart(mesh);
     if (time > 0 && !options.transforms.empty())
     {
-      point.alignment = similarityOfFile(options.transforms[time - 1], { options.sandbox }).inverse();
+      point.transform = inputFile(options.transforms[time - 1]);
+      point.alignment = similarityOfFile(point.transform.name, { options.sandbox }).inverse();
     }
-    series.points.push_back(point);
-    if (const std::optional<std::string> turn = turnOfLattice(file))
-    {
-      series.warnings.push_back(fileMessage(file, *turn, "what is measured may be the turn"));
-    }
+    series.points.push_back(std::move(point));
+  }
+  series.warnings = turnWarnings(turns, "what is measured may be the turn");
+  for (const TimePoint & point : series.points)
+  {
+    addWarningsOfCells(point, series.warnings);
+    addWarningOfUnevenCells(series.points.front(), point, series.warnings);
   }
   series.paddingLayers = baseline.paddingLayers;
   if (series.paddingLayers > 0)
   {
     series.warnings.emplace_back(
-      "the meshes' padding is left out: surface and thickness are those of the lattice, which "
-      "ends inside the organ");
+      "the meshes' padding is left out: strain, surface, thickness and the volumes of regions are those of the "
+      "lattice, which ends inside the organ");
   }
   return series;
 }

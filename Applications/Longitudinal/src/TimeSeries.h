@@ -1,7 +1,9 @@
 #pragma once
 
+#include "InputFile.h"
 #include "moserhex/Deformation/LatticeAlignment.h"
 #include "moserhex/Geometry/HexMesh.h"
+#include "moserhex/Quality/HexQuality.h"
 
 #include <optional>
 #include <string>
@@ -35,13 +37,20 @@ alignmentName(const CompareCommandOptions & options);
 /** A mesh at a time. */
 struct TimePoint
 {
-  std::string           file;
+  InputFile             file;
   std::string           name;
   std::optional<double> months;
-  HexMesh               lattice; ///< without padding [mm]
+  HexMesh               lattice;       ///< without padding [mm]
+  double                volume{ 0.0 }; ///< of the organ, which is the lattice with its padding [mm^3]
+  VolumeQuality         quality;       ///< of the lattice
   /** Onto the baseline, where it was given. */
   std::optional<SimilarityTransform> alignment;
+  InputFile                          transform; ///< that gave it, from the baseline's space to this one's
 };
+
+/** Whether cells have one volume, up to the rounding of coordinates in a file. */
+[[nodiscard]] bool
+hasEvenCells(const TimePoint & point);
 
 struct TimeSeries
 {
@@ -50,8 +59,9 @@ struct TimeSeries
   std::vector<std::string> warnings;
 };
 
-/** Reads the meshes of a comparison and says what makes them doubtful: a lattice that its report calls turned, padding
- * that is left out.
+/** Reads the meshes of a comparison and says what makes them doubtful: lattices that were turned and not alike (see
+ * turnWarnings), padding that is left out, concave cells, cells that are even at one time only, a report beside a mesh
+ * that calls it not exact.
  * \throws UsageError  fewer than two meshes, other than so many times, names or transforms, times that do not ascend
  * \throws BadInput    as readHexCells and latticeOf; Precondition: another n or padding than the baseline's
  * \throws IOError     a file cannot be read */

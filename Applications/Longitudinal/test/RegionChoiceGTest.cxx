@@ -32,6 +32,24 @@ TEST(RegionChoice, BoxesOfATableWithColumnsInAnyOrder)
   EXPECT_EQ(sets[0].regions[0].box.upper, Vector3(1, 1, 0.25));
   EXPECT_EQ(sets[0].regions[1].name, "left, back");
   EXPECT_EQ(sets[0].regions[1].box.lower, Vector3(0.5, 0.5, 0));
+  EXPECT_EQ(sets[0].table.name, folder / "boxes.csv");
+  EXPECT_EQ(sets[0].table.sha256, sha256OfInput(folder / "boxes.csv"));
+}
+
+TEST(RegionChoice, BoxesThatTheArrayCannotShowAreWarnedOf)
+{
+  const TestFolder folder;
+  const auto       warningsOf = [&folder](const std::string & lines) {
+    writeBytes(folder / "boxes.csv", "name,imin,imax,jmin,jmax,kmin,kmax\n" + lines);
+    return regionWarnings(chosenRegions({ folder / "boxes.csv", "halves" }, 20), 20);
+  };
+  EXPECT_TRUE(warningsOf("a,0,0.5,0,1,0,1\nb,0.5,1,0,1,0,1\n").empty()); // they touch
+  const auto overlap = warningsOf("a,0,0.6,0,1,0,1\nb,0.5,1,0,1,0,1\n");
+  ASSERT_EQ(overlap.size(), 1u);
+  EXPECT_NE(overlap[0].find("boxes.csv: a and b overlap;"), std::string::npos) << overlap[0];
+  const auto thin = warningsOf("a,0,0.02,0,1,0,1\n"); // a cell is 1/19 wide
+  ASSERT_EQ(thin.size(), 1u);
+  EXPECT_NE(thin[0].find("boxes.csv: a has more than half of no cell"), std::string::npos) << thin[0];
 }
 
 TEST(RegionChoice, TablesThatSayTooLittleAreRefusedWithTheLine)

@@ -2,6 +2,7 @@
 #include "TimeSeries.h"
 
 #include "CommandErrors.h"
+#include "MeshRecord.h"
 #include "TestFolder.h"
 #include "moserhex/Analytic/Lattices.h"
 #include "moserhex/Analytic/Refusals.h"
@@ -9,11 +10,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace moserhex;
 using namespace moserhex::app;
 
 namespace
 {
+
+/** All cells convex, their volumes different. */
+HexMesh
+unevenLattice()
+{
+  return analytic::lattice(
+    4, [](const Vector3 & index) { return Vector3(index[0] + 0.05 * index[0] * index[0], index[1], index[2]); });
+}
 
 class TimeSeriesFiles : public testing::Test
 {
@@ -64,6 +75,8 @@ TEST_F(TimeSeriesFiles, EqualPaddingIsLeftOutWithAWarning)
   EXPECT_EQ(series.points[1].lattice.nodes.size(), 64u);
   ASSERT_EQ(series.warnings.size(), 1u);
   EXPECT_NE(series.warnings[0].find("padding is left out"), std::string::npos);
+  EXPECT_NE(series.warnings[0].find("the volumes of regions"), std::string::npos);
+  EXPECT_NEAR(series.points[1].volume, 7.0 * 7.0 * 7.0, 1e-9); // 3 cells and 2 layers at both ends
 }
 
 TEST_F(TimeSeriesFiles, ATurnedLatticeIsAWarning)
@@ -72,6 +85,65 @@ TEST_F(TimeSeriesFiles, ATurnedLatticeIsAWarning)
   const TimeSeries series = readTimeSeries(of({ "a.vtu", "b.msh" }));
   ASSERT_EQ(series.warnings.size(), 1u);
   EXPECT_NE(series.warnings[0].find("b.msh: the lattice is turned by 30 degrees"), std::string::npos);
+}
+
+TEST_F(TimeSeriesFiles, LatticesThatWereTurnedAlikeAreNoWarning)
+{
+  HexMeshFields turned;
+  turned.meshArrays = latticeTurnArrays({ 0, 0, 45 });
+  writeHexMesh(m_Folder / "turned.vtu", analytic::cubeLattice(4), turned);
+  writeHexMesh(m_Folder / "tied.vtk", analytic::cubeLattice(4, 2.0), turned);
+  EXPECT_TRUE(readTimeSeries(of({ "turned.vtu", "tied.vtk" })).warnings.empty());
+  const TimeSeries series = readTimeSeries(of({ "a.vtu", "tied.vtk" }));
+  ASSERT_EQ(series.warnings.size(), 1u);
+  EXPECT_NE(series.warnings[0].find("tied.vtk: the lattice is turned by 45 degrees about (0 0 1)"), std::string::npos);
+}
+
+TEST_F(TimeSeriesFiles, CellsThatAreEvenAtOneTimeOnlyAreAWarning)
+{
+  writeHexMesh(m_Folder / "uneven.vtu", unevenLattice());
+  EXPECT_NEAR(readTimeSeries(of({ "a.vtu", "uneven.vtu" })).points[1].quality.volumeVariance,
+              volumeQuality(unevenLattice()).volumeVariance,
+              1e-15);
+  const auto warnings = readTimeSeries(of({ "a.vtu", "uneven.vtu" })).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("uneven.vtu: its cells are uneven"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("only if it was made with its volumes free"), std::string::npos) << warnings[0];
+  const auto ofBaseline = readTimeSeries(of({ "uneven.vtu", "a.vtu" })).warnings;
+  ASSERT_EQ(ofBaseline.size(), 1u);
+  EXPECT_NE(ofBaseline[0].find("uneven.vtu: its cells are uneven"), std::string::npos) << ofBaseline[0];
+  EXPECT_NE(ofBaseline[0].find("Volumetric is no local growth"), std::string::npos) << ofBaseline[0];
+  EXPECT_TRUE(readTimeSeries(of({ "uneven.vtu", "uneven.vtu" })).warnings.empty());
+}
+
+TEST_F(TimeSeriesFiles, ConcaveCellsAreAWarningOfEachMesh)
+{
+  HexMesh folded = analytic::cubeLattice(4);
+  folded.nodes[folded.nodeNumber(1, 1, 1)] += Vector3(0.9, 0.9, 0.9); // beyond the diagonal planes of its cells
+  writeHexMesh(m_Folder / "folded.vtu", folded);
+  const TimeSeries series = readTimeSeries(of({ "folded.vtu", "folded.vtu" }));
+  EXPECT_EQ(series.points[1].quality.concaveCells, volumeQuality(folded).concaveCells);
+  ASSERT_EQ(series.warnings.size(), 2u);
+  EXPECT_NE(series.warnings[0].find("folded.vtu: " + std::to_string(volumeQuality(folded).concaveCells) +
+                                    " of 27 cells are concave"),
+            std::string::npos)
+    << series.warnings[0];
+}
+
+TEST_F(TimeSeriesFiles, AMeshThatItsReportCallsInexactIsAWarning)
+{
+  writeBytes(m_Folder / "b.json", R"({"parameters": {"stage": "moser"}})");
+  const TimeSeries series = readTimeSeries(of({ "a.vtu", "b.msh" }));
+  ASSERT_EQ(series.warnings.size(), 1u);
+  EXPECT_NE(series.warnings[0].find("b.msh: its report says that it is not exact"), std::string::npos);
+}
+
+TEST_F(TimeSeriesFiles, ChecksumsAreOfWhatWasRead)
+{
+  const TimeSeries series = readTimeSeries(of({ "a.vtu", "b.msh" }));
+  EXPECT_EQ(series.points[1].file.name, m_Folder / "b.msh");
+  EXPECT_EQ(series.points[1].file.sha256, sha256OfInput(m_Folder / "b.msh"));
+  EXPECT_TRUE(series.points[1].transform.name.empty());
 }
 
 TEST_F(TimeSeriesFiles, AnotherLatticeIsRefused)

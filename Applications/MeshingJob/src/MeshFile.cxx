@@ -3,6 +3,7 @@
 #include "CasePage.h"
 #include "CommandErrors.h"
 #include "Guard.h"
+#include "MeshRecord.h"
 #include "MeshReport.h"
 #include "OutputName.h"
 #include "PageName.h"
@@ -98,6 +99,18 @@ requireUnchanged(const std::string & fileName, const std::string & sha256)
   }
 }
 
+/** How the lattice is turned off the patient's axes: a tied one as its template. */
+std::optional<Vector3>
+turnOf(const PipelineType & pipeline, const PipelineInputs & inputs)
+{
+  if (inputs.tied)
+  {
+    return inputs.tied->latticeTurn;
+  }
+  const Vector3 turn = rotationVector(latticeTurn(pipeline.GetResult()));
+  return turn.norm() > 0.0 ? std::optional<Vector3>(turn) : std::nullopt;
+}
+
 /** Reads, meshes and writes the mesh. What is known by then is in the report, also when it throws. */
 void
 makeMesh(const MeshCommandOptions &                       options,
@@ -139,11 +152,17 @@ makeMesh(const MeshCommandOptions &                       options,
   say("meshing " + meshed.solid.name());
   meshed.pipeline = runPipeline(meshed.solid, inputs, options, progress);
   addResults(*meshed.pipeline, report);
+  report.latticeTurn = turnOf(*meshed.pipeline, inputs);
   requireUnchanged(options.input.file, report.input.sha256);
 
   say("writing the mesh");
   const HexMesh & mesh = meshed.pipeline->GetHexMesh();
-  writeHexMesh(options.output, mesh, fieldsOf(mesh, meshed.solid, options.threads));
+  HexMeshFields   fields = fieldsOf(mesh, meshed.solid, options.threads);
+  if (report.latticeTurn && holdsNamedArrays(options.output))
+  {
+    fields.meshArrays = latticeTurnArrays(*report.latticeTurn);
+  }
+  writeHexMesh(options.output, mesh, fields);
   if (!options.transformFile.empty())
   {
     writeTransform(options.transformFile, meshed.pipeline->GetResult().alignment->motion);

@@ -2,6 +2,7 @@
 
 #include "CommandErrors.h"
 #include "CorrespondingLandmarks.h"
+#include "MeshRecord.h"
 #include "itkDensityConversion.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/TransformFile.h"
@@ -89,7 +90,14 @@ isAlignedByFile(const MeshCommandOptions & options)
 TemplateInputs
 readTemplate(const MeshCommandOptions & options)
 {
-  return tiedTo(readHexMesh(options.templateMesh, readOptionsOf(options)), options);
+  HexMeshFile    file = readHexMeshFile(options.templateMesh, readOptionsOf(options));
+  TemplateInputs inputs = tiedTo(std::move(file.mesh), options);
+  if (const auto turn = turnOfLattice(options.templateMesh, file.meshArrays))
+  {
+    inputs.latticeTurn = turn->rotation;
+    inputs.warnings.push_back(fileMessage(options.templateMesh, turn->description, "this mesh is turned alike"));
+  }
+  return inputs;
 }
 
 TemplateInputs

@@ -19,7 +19,8 @@ struct TemplateInputs
   HexMesh                  mesh;         ///< in its own space
   std::optional<Positions> nodesAtSolid; ///< taken to the label's space by the transform of a file [mm]
   TemplateRefinement       refinement;
-  std::vector<std::string> warnings; ///< one line each
+  std::vector<std::string> warnings;      ///< one line each
+  std::optional<Vector3>   latticeTurn{}; ///< of the template, as LatticeTurn::rotation; empty: none, or not known
 };
 
 /** Whether a template is brought to the label by a transform of a file: --align names none of the ways. */

@@ -190,7 +190,8 @@ addAtlasCommand(CLI::App & program, AtlasCommandOptions & options)
     "--group", options.group, "Column of two groups, or more that are words, to compare at every node");
   command->add_option("--regress", options.regressor, "Column of numbers to regress every node's place on");
   command->add_option("--covariates", options.covariates, "Columns, by commas, whose influence is taken out of both")
-    ->delimiter(',');
+    ->delimiter(',')
+    ->allow_extra_args(false);
   command->add_option("--permutations", options.permutations, "Permutations of a test")
     ->check(CLI::Range(1, 10000000))
     ->capture_default_str();

@@ -52,17 +52,22 @@ addCompareCommand(CLI::App & program, CompareCommandOptions & options)
                  options.transforms,
                  "Files with rigid transforms of ITK, one a follow-up, from the baseline's space to its, separated by "
                  "commas; in place of --align")
-    ->delimiter(',');
+    ->delimiter(',')
+    ->allow_extra_args(false);
   command
     ->add_option("--regions",
                  options.regions,
                  "octants, halves, shells, or a table (.csv .tsv) with name, imin, imax, jmin, jmax, kmin, kmax in "
                  "cube coordinates, separated by commas")
     ->delimiter(',')
+    ->allow_extra_args(false)
     ->capture_default_str();
-  command->add_option("--times", options.times, "Months of the meshes, ascending, separated by commas")->delimiter(',');
+  command->add_option("--times", options.times, "Months of the meshes, ascending, separated by commas")
+    ->delimiter(',')
+    ->allow_extra_args(false);
   command->add_option("--names", options.names, "Names of the times, separated by commas [the files' names]")
-    ->delimiter(',');
+    ->delimiter(',')
+    ->allow_extra_args(false);
   command->add_flag(
     "!--no-sandbox", options.sandbox, "Read files in this process instead of a child with limits of memory and time");
   command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")
@@ -77,12 +82,12 @@ runCompareCommand(const CompareCommandOptions & options)
   TimeSeries series = readTimeSeries(options);
   requireInputsKept(options, series);
   std::vector<RegionSet> sets = chosenRegions(options.regions, series.points.front().lattice.nodesPerSide);
-  for (const std::string & warning : series.warnings)
+  const Comparison       comparison =
+    compareSeries(std::move(series), alignmentName(options), std::move(sets), options.threads);
+  for (const std::string & warning : comparison.series.warnings)
   {
     printWarning(warning);
   }
-  const Comparison comparison =
-    compareSeries(std::move(series), alignmentName(options), std::move(sets), options.threads);
   makeFolder(options.outputFolder);
   writeTimeMeshes(options.outputFolder, comparison);
   writeTextFile((std::filesystem::path(options.outputFolder) / "regions.csv").string(), regionTable(comparison, ','));

@@ -1,6 +1,7 @@
 #include "ConvertCommand.h"
 
 #include "Console.h"
+#include "MeshRecord.h"
 #include "OutputName.h"
 #include "ScaledJacobians.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
@@ -33,6 +34,11 @@ runConvertCommand(const ConvertCommandOptions & options)
   const HexMesh     mesh = latticeOf(file.mesh, options.input);
   HexMeshFields     fields;
   fields.scaledJacobian = scaledJacobiansOf(mesh);
+  const auto turn = turnOfLattice(options.input, file.meshArrays);
+  if (turn && turn->rotation && holdsNamedArrays(options.output))
+  {
+    fields.meshArrays = latticeTurnArrays(*turn->rotation);
+  }
   writeHexMesh(options.output, mesh, fields, writerOptions(options));
   for (const std::string & warning : file.warnings)
   {

@@ -63,7 +63,8 @@ addFigureCommand(CLI::App & program, FigureCommandOptions & figure)
     ->capture_default_str();
   command
     ->add_option("--shells", options.shells, "Shells to draw, 1 in the middle, separated by commas [up to four of all]")
-    ->delimiter(',');
+    ->delimiter(',')
+    ->allow_extra_args(false);
   command->add_option("--layout", options.layout, "Shells side by side, or all in their places")
     ->check(CLI::IsMember(figureLayouts))
     ->capture_default_str();

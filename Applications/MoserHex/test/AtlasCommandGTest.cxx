@@ -262,6 +262,23 @@ TEST_F(AtlasCommand, ALatticeThatWasTurnedIsWarnedOf)
   EXPECT_NE(outcome.error.find("lattice is turned by 45 degrees"), std::string::npos) << outcome.error;
 }
 
+TEST_F(AtlasCommand, OptionsMayComeBeforeTheTable)
+{
+  writeSubjects(8);
+  const Outcome outcome = run({ "atlas",
+                                "--output",
+                                path("out"),
+                                "--no-sandbox",
+                                "--permutations=99",
+                                "--group",
+                                "group",
+                                "--covariates",
+                                "age",
+                                path("table.csv") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_EQ(summary("out")["tests"]["group"]["covariates"], std::vector<std::string>{ "age" });
+}
+
 TEST_F(AtlasCommand, Refusals)
 {
   writeSubjects(4);

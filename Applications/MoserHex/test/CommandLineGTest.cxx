@@ -270,7 +270,15 @@ TEST_F(CommandLine, RidgeFrameSaysHowFarItIsTurned)
                                 path("r.json") });
   ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
   EXPECT_NE(outcome.out.find("\nframe: turned by "), std::string::npos) << outcome.out;
-  const auto frame = nlohmann::json::parse(contentOf(path("r.json")))["frame"];
+  const auto report = nlohmann::json::parse(contentOf(path("r.json")));
+  const auto frame = report["frame"];
+  EXPECT_GT(frame["turned_degrees"].get<double>(), 0.0);
+  const HexMeshFile mesh = readHexMeshFile(path("b.vtu"));
+  ASSERT_EQ(mesh.meshArrays.size(), 1u);
+  EXPECT_EQ(mesh.meshArrays[0].name, "LatticeTurn");
+  EXPECT_EQ(report["lattice_turn_degrees"], nlohmann::json(mesh.meshArrays[0].values));
+  EXPECT_NEAR(
+    Eigen::Map<const Vector3>(mesh.meshArrays[0].values.data()).norm(), frame["turned_degrees"].get<double>(), 1e-9);
   EXPECT_LE(frame["turned_degrees"].get<double>(), 10.0);
   EXPECT_LE(frame["edge_score_after"].get<double>(), frame["edge_score_before"].get<double>());
 }

@@ -2,8 +2,10 @@
 #include "CommandTest.h"
 
 #include "TextTable.h"
+#include "moserhex/Analytic/Lattices.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
+#include "moserhex/HexMeshIO/InputChecksum.h"
 
 #include <nlohmann/json.hpp>
 
@@ -54,7 +56,15 @@ TEST_F(CompareCommand, AGivenTransformIsTakenAway)
   const Outcome                  outcome = run(command);
   ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
   EXPECT_LE((readHexMesh(path("out/time-001.vtu")).nodes[0] - Vector3(0, 0, 0)).norm(), 1e-9);
-  EXPECT_EQ(nlohmann::json::parse(contentOf(path("out/summary.json")))["align"], "file");
+  const auto summary = nlohmann::json::parse(contentOf(path("out/summary.json")));
+  EXPECT_EQ(summary["align"], "file");
+  const auto alignment = summary["times"][1]["alignment"];
+  EXPECT_EQ(alignment["direction"], "this time to baseline");
+  EXPECT_NEAR(alignment["translation_mm"][0].get<double>(), -50.0, 1e-9);
+  EXPECT_EQ(alignment["transform"]["file"], path("move.tfm"));
+  EXPECT_EQ(alignment["transform"]["sha256"], sha256OfInput(path("move.tfm")));
+  EXPECT_EQ(alignment["transform"]["direction"], "baseline to this time");
+  EXPECT_FALSE(summary["times"][0]["alignment"].contains("transform"));
   std::vector<std::string> twoForOne = command;
   twoForOne.back() += "," + path("move.tfm");
   expectErrorCode(run(twoForOne), "E_USAGE");
@@ -84,6 +94,9 @@ TEST_F(CompareCommand, ThreeTimesGiveASeriesATableAndASummary)
   const auto summary = nlohmann::json::parse(contentOf(path("out/summary.json")));
   ASSERT_EQ(summary["times"].size(), 3u);
   EXPECT_EQ(summary["align"], "rigid");
+  EXPECT_EQ(summary["times"][2]["sha256"], sha256OfInput(path("c.vtu")));
+  EXPECT_LE(summary["times"][2]["cell_volume_variance"].get<double>(), 1e-20);
+  EXPECT_EQ(summary["times"][2]["concave_cells"], 0);
   EXPECT_NEAR(summary["times"][2]["volume_change_percent"].get<double>(), 40.0, 1e-9);
   EXPECT_NEAR(summary["times"][2]["organ"]["normal_motion_mm"]["max"].get<double>(), 2.0, 1e-9);
   EXPECT_NEAR(summary["times"][2]["largest_stretch"]["stretch"].get<double>(), 1.4 / std::cbrt(1.4), 1e-9);
@@ -91,8 +104,8 @@ TEST_F(CompareCommand, ThreeTimesGiveASeriesATableAndASummary)
   EXPECT_TRUE(summary["times"][2]["uniform_growth"].get<bool>());
 
   const TextTable table = readTextTable(path("out/regions.csv"));
-  // 3 times, 11 measures of the organ, of 8 octants and of the outer shell, 7 of the inner one
-  EXPECT_EQ(table.rows.size(), 3u * (11 * 10 + 7));
+  // 3 times, 12 measures of the organ, of 8 octants and of the outer shell, 7 of the inner one
+  EXPECT_EQ(table.rows.size(), 3u * (12 * 10 + 7));
   EXPECT_EQ(table.rows.back().cells[1], "third");
 }
 
@@ -117,10 +130,62 @@ TEST_F(CompareCommand, AlignmentAndRegionsAreChosen)
   {
     EXPECT_NE(mesh.find(std::string("Name=\"") + array + '"'), std::string::npos) << array;
   }
+  const auto regions = nlohmann::json::parse(contentOf(path("out/summary.json")))["regions"];
+  EXPECT_EQ(regions[0]["set"], "halves");
+  EXPECT_FALSE(regions[0].contains("file"));
+  EXPECT_EQ(regions[1]["file"], path("boxes.csv"));
+  EXPECT_EQ(regions[1]["sha256"], sha256OfInput(path("boxes.csv")));
   const std::string table = contentOf(path("out/regions.csv"));
   EXPECT_NE(table.find("1,b,,halves,left,"), std::string::npos);
   EXPECT_NE(table.find("1,b,,boxes,apex,"), std::string::npos);
   EXPECT_EQ(table.find("octants"), std::string::npos);
+}
+
+TEST_F(CompareCommand, OptionsMayComeBeforeTheMeshes)
+{
+  std::ofstream(path("move.tfm")) << "#Insight Transform File V1.0\n#Transform 0\n"
+                                     "Transform: TranslationTransform_double_3_3\n"
+                                     "Parameters: 50 0 0\nFixedParameters: \n";
+  const std::vector<std::vector<std::string>> options{
+    { "--transforms", path("move.tfm") }, { "--regions", "octants" }, { "--times", "0,12" }, { "--names", "x,y" }
+  };
+  for (const std::vector<std::string> & option : options)
+  {
+    const Outcome outcome = run(
+      { "compare", "--output", path("out"), "--quiet", option.front(), option.back(), path("a.vtu"), path("b.vtu") });
+    EXPECT_EQ(outcome.exitCode, 0) << option.front() << ": " << outcome.error;
+  }
+}
+
+TEST_F(CompareCommand, PaddingCountsAsPartOfTheOrgan)
+{
+  const auto withPadding = [](double thickness) { // of two layers around a cube of 3 mm [mm]
+    return analytic::paddedLattice(4, 2, [thickness](const Vector3 & index) {
+      const Vector3 inside = index.cwiseMax(0.0).cwiseMin(3.0);
+      return Vector3(inside + 0.5 * thickness * (index - inside));
+    });
+  };
+  writeHexMesh(path("thin.vtu"), withPadding(1.0));
+  writeHexMesh(path("thick.vtu"), withPadding(2.0));
+  const Outcome outcome =
+    run({ "compare", path("thin.vtu"), path("thick.vtu"), "--align", "none", "--output", path("out") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  const auto followUp = nlohmann::json::parse(contentOf(path("out/summary.json")))["times"][1];
+  EXPECT_NEAR(followUp["volume_mm3"].get<double>(), 343.0, 1e-9);
+  EXPECT_NEAR(followUp["volume_change_percent"].get<double>(), 100.0 * (343.0 / 125.0 - 1.0), 1e-9);
+  EXPECT_NEAR(followUp["lattice_volume_mm3"].get<double>(), 27.0, 1e-9);
+  EXPECT_NEAR(followUp["lattice_volume_change_percent"].get<double>(), 0.0, 1e-9);
+  EXPECT_NE(outcome.out.find(" 174.40 "), std::string::npos) << outcome.out;
+}
+
+TEST_F(CompareCommand, ABadCellIsReportedWithItsFile)
+{
+  HexMesh bad = block(4, { 10, 10, 10 }, { 0, 0, 0 });
+  bad.nodes[0] = Vector3(7, 7, 7);
+  writeHexMesh(path("bad.vtu"), bad);
+  const Outcome outcome = run({ "compare", path("a.vtu"), path("bad.vtu"), "--output", path("out") });
+  expectErrorCode(outcome, "E_PRECONDITION");
+  EXPECT_NE(outcome.error.find("bad.vtu: cell 0"), std::string::npos) << outcome.error;
 }
 
 TEST_F(CompareCommand, TheSameBytesForAnyNumberOfThreads)

@@ -53,6 +53,18 @@ TEST_F(ConvertCommand, MeshGoesThroughEveryFormatUnchanged)
   EXPECT_TRUE(fs::exists(path("g.feb")));
 }
 
+TEST_F(ConvertCommand, TheTurnOfTheLatticeIsKept)
+{
+  HexMeshFields fields;
+  fields.meshArrays = { { "LatticeTurn", 3, { 0.0, 0.0, 45.0 } } };
+  writeHexMesh(path("turned.vtu"), m_Mesh, fields);
+  ASSERT_EQ(run({ "convert", path("turned.vtu"), path("b.vtk"), "--quiet" }).exitCode, 0);
+  const HexMeshFile read = readHexMeshFile(path("b.vtk"));
+  ASSERT_EQ(read.meshArrays.size(), 1u);
+  EXPECT_EQ(read.meshArrays[0].values, fields.meshArrays[0].values);
+  EXPECT_EQ(run({ "convert", path("turned.vtu"), path("b.msh"), "--quiet" }).exitCode, 0);
+}
+
 TEST_F(ConvertCommand, GmshVersionIsChosen)
 {
   const auto headOf = [this](const std::string & name) { return contentOf(path(name)).substr(0, 15); };

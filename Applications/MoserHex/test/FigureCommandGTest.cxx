@@ -79,6 +79,12 @@ TEST_F(FigureCommand, ColoursByArraysOfTheFile)
   EXPECT_EQ(fileCount(), 2U);
 }
 
+TEST_F(FigureCommand, OptionsMayComeBeforeTheMesh)
+{
+  const Outcome outcome = run({ "figure", "--kind", "shells", "--shells", "1,2", path("a.vtu"), path("a.svg") });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+}
+
 TEST_F(FigureCommand, RefusesWithTheExitCodesOfTheOthers)
 {
   expectErrorCode(run({ "figure", path("a.vtu"), path("a.png"), "--kind", "volume" }), "E_USAGE");

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 using namespace moserhex;
@@ -128,6 +129,24 @@ TEST_F(TemplateCommand, TheSameLabelGetsTheSameMesh)
   EXPECT_EQ(said["template"]["sha256"], sha256OfFile(path("baseline.vtu")));
   EXPECT_EQ(said["stages"][1]["name"], "template");
   EXPECT_TRUE(said["exact"]["reached"]);
+}
+
+TEST_F(TemplateCommand, ATurnOfTheTemplateIsTheMeshes)
+{
+  const NamedArray turn{ "LatticeTurn", 3, { 0.0, 0.0, 45.0 } };
+  HexMeshFields    fields;
+  fields.meshArrays = { turn };
+  writeHexMesh(path("turned.vtu"), readHexMesh(path("baseline.vtu")), fields);
+  std::filesystem::rename(path("turned.vtu"), path("baseline.vtu"));
+  const Outcome outcome = tied("prostate.nrrd", { "--align=none" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("baseline.vtu: the lattice is turned by 45 degrees about (0 0 1)"), std::string::npos)
+    << outcome.error;
+  const HexMeshFile mesh = readHexMeshFile(path("tied.vtu"));
+  ASSERT_EQ(mesh.meshArrays.size(), 1u);
+  EXPECT_EQ(mesh.meshArrays[0].name, turn.name);
+  EXPECT_EQ(mesh.meshArrays[0].values, turn.values);
+  EXPECT_EQ(report()["lattice_turn_degrees"], nlohmann::json(turn.values));
 }
 
 TEST_F(TemplateCommand, WithADensityMassesAreEqual)

@@ -7,8 +7,10 @@
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -23,19 +25,41 @@ optionsOf(const ModuleArguments & arguments)
   options.meshes = { arguments.text("baseline"), arguments.text("followUp") };
   options.align = arguments.text("align");
   options.regions = { arguments.text("regions") };
+  if (arguments.has("transform"))
+  {
+    options.transforms = { arguments.text("transform") };
+  }
   return options;
 }
 
-/** \throws UsageError  the model's name is of no mesh, or an output is an input */
+/** \throws UsageError  the model's file cannot hold arrays, an output is an input, or both outputs are one file */
 void
 requireUsableNames(const app::CompareCommandOptions & options, const ModuleArguments & arguments)
 {
-  app::requireHexMeshName(arguments.text("outputModel"));
-  for (const std::string & mesh : options.meshes)
+  const std::string model = arguments.text("outputModel");
+  const std::string table = arguments.text("regionTable");
+  if (!holdsNamedArrays(model))
   {
-    app::requireKept(mesh, arguments.text("outputModel"));
-    app::requireKept(mesh, arguments.text("regionTable"));
+    throw app::UsageError(fileMessage(model, "cannot hold what is measured", "give a .vtk or .vtu file"));
   }
+  std::vector<std::string> inputs = options.meshes;
+  inputs.insert(inputs.end(), options.transforms.begin(), options.transforms.end());
+  for (const std::string & input : inputs)
+  {
+    app::requireKept(input, model);
+    app::requireKept(input, table);
+  }
+  if (app::sameFile(model, table))
+  {
+    throw app::UsageError(fileMessage(table, "is both model and table", "give the table another name"));
+  }
+}
+
+/** Slicer reads tables by their ending, too. */
+char
+separatorOf(const std::string & table)
+{
+  return std::filesystem::path(table).extension() == ".csv" ? ',' : '\t';
 }
 
 SimpleOutputs
@@ -44,9 +68,9 @@ measurementsOf(const app::Comparison & comparison)
   const app::TimeComparison &  last = comparison.times.back();
   const WeightedDistribution & surface = app::ofOrgan(comparison.rows.back(), "signed_distance");
   const WeightedDistribution & stretch = app::ofOrgan(comparison.rows.back(), "largest_stretch");
-  return { { "baselineVolume", app::numberText(comparison.times.front().volume) },
-           { "followUpVolume", app::numberText(last.volume) },
-           { "volumeChange", app::numberText(last.volumeChange) },
+  return { { "baselineVolume", app::numberText(comparison.series.points.front().volume) },
+           { "followUpVolume", app::numberText(comparison.series.points.back().volume) },
+           { "volumeChange", app::numberText(app::volumeChange(comparison.series, 1)) },
            { "surfaceOut05", app::numberText(surface.p05) },
            { "surfaceOut50", app::numberText(surface.median) },
            { "surfaceOut95", app::numberText(surface.p95) },
@@ -68,13 +92,14 @@ run(const ModuleArguments & arguments, ModuleProgress & progress)
   progress.show(afterReading);
   progress.comment("comparing");
   const app::Comparison comparison =
-    app::compareSeries(std::move(series), options.align, std::move(sets), options.threads);
+    app::compareSeries(std::move(series), app::alignmentName(options), std::move(sets), options.threads);
   progress.show(afterComparing);
   progress.comment("writing");
   app::writeTimeMesh(arguments.text("outputModel"), comparison, 1);
   if (arguments.has("regionTable"))
   {
-    writeTextFile(arguments.text("regionTable"), app::regionTable(comparison, '\t'));
+    const std::string table = arguments.text("regionTable");
+    writeTextFile(table, app::regionTable(comparison, separatorOf(table)));
   }
   for (const std::string & warning : comparison.series.warnings)
   {

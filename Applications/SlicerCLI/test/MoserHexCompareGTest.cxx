@@ -1,6 +1,7 @@
 // The contract of the module MoserHexCompare, by running the program as Slicer does.
 #include "CommandTest.h"
 #include "ModuleDescription.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
@@ -106,12 +107,39 @@ TEST_F(MoserHexCompare, RunWritesModelTableAndMeasurements)
   }
 }
 
+TEST_F(MoserHexCompare, ATransformLeadsFromTheBaselinesSpaceToTheFollowUps)
+{
+  HexMesh moved = block(4, { 12, 10, 10 });
+  for (Vector3 & node : moved.nodes)
+  {
+    node += Vector3(50, 0, 0);
+  }
+  writeHexMesh(path("moved.vtk"), moved);
+  writeTextFile(path("move.tfm"),
+                "#Insight Transform File V1.0\n#Transform 0\nTransform: TranslationTransform_double_3_3\n"
+                "Parameters: 50 0 0\nFixedParameters: \n");
+  const Outcome outcome = run({ "--transform", path("move.tfm"), path("a.vtk"), path("moved.vtk"), path("out.vtk") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_LT((readHexMesh(path("out.vtk")).nodes.front() - Vector3(0, 0, 0)).norm(), 1e-9);
+  EXPECT_LT((readHexMesh(path("out.vtk")).nodes.back() - Vector3(12, 10, 10)).norm(), 1e-9);
+}
+
+TEST_F(MoserHexCompare, TheTablesSeparatorIsThatOfItsEnding)
+{
+  ASSERT_EQ(run({ "--regionTable", path("table.csv"), path("a.vtk"), path("b.vtk"), path("out.vtk") }).exitCode, 0);
+  EXPECT_NE(contentOf(path("table.csv")).find("1,b,,octants,"), std::string::npos);
+}
+
 TEST_F(MoserHexCompare, FailureIsOneLineAndLeavesNothing)
 {
   expectErrorCode(run({ path("a.vtk"), path("large.vtk"), path("out.vtk") }), "E_PRECONDITION");
   expectErrorCode(run({ path("a.vtk"), path("none.vtk"), path("out.vtk") }), "E_NOINPUT");
   expectErrorCode(run({ path("a.vtk"), path("b.vtk"), path("a.vtk") }), "E_USAGE");
-  expectErrorCode(run({ path("a.vtk"), path("b.vtk"), path("out.obj") }), "E_USAGE");
+  for (const char * name : { "out.obj", "out.msh", "out.inp" })
+  {
+    expectErrorCode(run({ path("a.vtk"), path("b.vtk"), path(name) }), "E_USAGE");
+  }
+  expectErrorCode(run({ "--regionTable", path("out.vtk"), path("a.vtk"), path("b.vtk"), path("out.vtk") }), "E_USAGE");
   expectErrorCode(run({ "--align=affine", path("a.vtk"), path("b.vtk"), path("out.vtk") }), "E_USAGE");
   EXPECT_EQ(fileCount(), 3u);
 }

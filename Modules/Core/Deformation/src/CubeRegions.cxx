@@ -26,6 +26,19 @@ isBoxWithin(const CubeBox & inner, const CubeBox & outer)
          (inner.upper.array() <= outer.upper.array()).all();
 }
 
+/** A part in [0,1] that rounding of a box's bounds has made is none, and what it has taken from a whole is all there.
+ */
+double
+withoutRounding(double part)
+{
+  constexpr double rounding = 1e-9;
+  if (part < rounding)
+  {
+    return 0.0;
+  }
+  return part > 1.0 - rounding ? 1.0 : part;
+}
+
 /** How much of each of the n-1 intervals of an axis lies in the box. */
 std::vector<double>
 overlaps(const CubeBox & box, Eigen::Index axis, int nodesPerSide)
@@ -36,7 +49,7 @@ overlaps(const CubeBox & box, Eigen::Index axis, int nodesPerSide)
   {
     const double from = std::max(box.lower[axis] * m, static_cast<double>(i));
     const double to = std::min(box.upper[axis] * m, static_cast<double>(i + 1));
-    result[static_cast<std::size_t>(i)] = std::max(0.0, to - from);
+    result[static_cast<std::size_t>(i)] = withoutRounding(to - from);
   }
   return result;
 }

@@ -1,11 +1,20 @@
 #include "moserhex/Deformation/LatticeLines.h"
 
 #include <array>
+#include <limits>
 
 namespace moserhex
 {
 namespace
 {
+
+/** Whether a line across (a, b) of the other two axes lies in a face of the cube. */
+bool
+isInFace(const HexMesh & mesh, int a, int b)
+{
+  const int last = mesh.nodesPerSide - 1;
+  return a == 0 || a == last || b == 0 || b == last;
+}
 
 /** Writes the length of the line along `axis` through the node with entry `axis` = 0 at every node of the line. */
 void
@@ -33,7 +42,7 @@ Positions
 latticeLineLengths(const HexMesh & mesh)
 {
   requireLattice(mesh);
-  Positions lengths(mesh.nodes.size(), Vector3::Zero());
+  Positions lengths(mesh.nodes.size(), Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (int b = 0; b < mesh.nodesPerSide; ++b)
@@ -43,7 +52,10 @@ latticeLineLengths(const HexMesh & mesh)
         std::array<int, 3> at{};
         at[(axis + 1) % 3] = a;
         at[(axis + 2) % 3] = b;
-        measureLine(mesh, axis, at, lengths);
+        if (!isInFace(mesh, a, b))
+        {
+          measureLine(mesh, axis, at, lengths);
+        }
       }
     }
   }

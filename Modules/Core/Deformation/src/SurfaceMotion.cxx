@@ -114,13 +114,18 @@ surfaceMotion(const HexMesh & baseline, const HexMesh & followUp, unsigned int t
   result.normals = vertexNormals(before);
   result.normals.resize(result.nodes.size());
   result.area = quadAreas(before);
-  result.areaRatio = ratios(quadAreas(latticeSurface(followUp)), result.area);
+  const TriangleMesh after = latticeSurface(followUp);
+  result.areaRatio = ratios(quadAreas(after), result.area);
   for (std::size_t b = 0; b < result.nodes.size(); ++b)
   {
     const std::size_t node = result.nodes[b];
     result.normalMotion.push_back((followUp.nodes[node] - baseline.nodes[node]).dot(result.normals[b]));
   }
   result.signedDistance = signedDistances(followUp, result.nodes, before, threads);
+  for (const double distance : signedDistances(baseline, result.nodes, after, threads))
+  {
+    result.baselineSignedDistance.push_back(0.0 - distance); // no negative zeros
+  }
   return result;
 }
 

@@ -93,6 +93,36 @@ TEST(CubeRegions, ShellsAreOneCellThick)
   EXPECT_EQ(sumOf(quadFractions(shells[2], 6)), 150.0);
 }
 
+TEST(CubeRegions, ShellsHaveNoCellOfTheirNeighbours)
+{
+  for (const int n : { 6, 7, 12, 20, 64 })
+  {
+    const auto shells = shellRegions(n);
+    for (std::size_t shell = 0; shell < shells.size(); ++shell)
+    {
+      const auto side = [&shells, n](std::size_t number) { // cells along the shell's side, 0: of no shell
+        return number < shells.size() ? n - 1 - 2 * static_cast<int>(shells.size() - 1 - number) : 0;
+      };
+      const int  outer = side(shell);
+      const int  inner = shell > 0 ? side(shell - 1) : 0;
+      const auto fractions = cellFractions(shells[shell], n);
+      EXPECT_EQ(std::count_if(fractions.begin(), fractions.end(), [](double part) { return part > 0.0; }),
+                outer * outer * outer - inner * inner * inner)
+        << n << " " << shells[shell].name;
+      EXPECT_TRUE(
+        std::all_of(fractions.begin(), fractions.end(), [](double part) { return part == 0.0 || part == 1.0; }));
+    }
+  }
+}
+
+TEST(CubeRegions, ABoundThatIsRoundedCutsNoSliverOffACell)
+{
+  const CubeRegion third{ "third", { { 0, 0, 0 }, { 1.0 - 2.0 / 3.0, 1, 1 } }, {} }; // a little more than 1/3
+  const auto       fractions = cellFractions(third, 4);
+  EXPECT_EQ(fractions[0], 1.0);
+  EXPECT_EQ(fractions[1], 0.0);
+}
+
 TEST(CubeRegions, OnlyTheFacesThatARegionReachesAreItsSurface)
 {
   const CubeRegion box{ "box", { { 0.0, 0.25, 0.0 }, { 0.5, 0.75, 0.5 } }, {} };

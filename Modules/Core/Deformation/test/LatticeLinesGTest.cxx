@@ -7,15 +7,29 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace moserhex;
 
 TEST(LatticeLines, TheThicknessOfABoxIsItsSize)
 {
-  const Vector3 size(24.0, 8.0, 5.0);
-  for (const Vector3 & length : latticeLineLengths(boxLattice(6, size)))
+  const Vector3   size(24.0, 8.0, 5.0);
+  const HexMesh   box = boxLattice(6, size);
+  const Positions lengths = latticeLineLengths(box);
+  for (int k = 1; k < 5; ++k)
   {
-    EXPECT_LE((length - size).norm(), 1e-13);
+    EXPECT_LE((lengths[box.nodeNumber(2, 3, k)] - size).norm(), 1e-13);
   }
+}
+
+TEST(LatticeLines, LinesAlongTheSurfaceHaveNoThickness)
+{
+  const HexMesh   box = boxLattice(5, { 24.0, 8.0, 5.0 });
+  const Positions lengths = latticeLineLengths(box);
+  const Vector3   onFace = lengths[box.nodeNumber(2, 0, 3)];
+  EXPECT_TRUE(std::isnan(onFace[0]) && std::isnan(onFace[2]));
+  EXPECT_NEAR(onFace[1], 8.0, 1e-13);
+  EXPECT_TRUE(lengths[box.nodeNumber(4, 0, 3)].array().isNaN().all()); // on an edge of the cube
 }
 
 TEST(LatticeLines, EveryLineHasItsOwnLength)
@@ -27,7 +41,7 @@ TEST(LatticeLines, EveryLineHasItsOwnLength)
   for (int k = 0; k < 4; ++k)
   {
     EXPECT_NEAR(lengths[wedge.nodeNumber(2, 1, k)][2], 13.0, 1e-12);
-    EXPECT_NEAR(lengths[wedge.nodeNumber(3, 0, k)][2], 4.0, 1e-12);
+    EXPECT_NEAR(lengths[wedge.nodeNumber(1, 2, k)][2], 22.0, 1e-12);
   }
 }
 
@@ -42,7 +56,7 @@ TEST(LatticeLines, ArcsAreMeasuredWithOrderTwo)
       return Vector3((20 + c[1]) * std::sin(angle), (20 + c[1]) * std::cos(angle), c[2]);
     });
     sizes.push_back(1.0 / (n - 1));
-    errors.push_back(20.0 - latticeLineLengths(arc)[0][0]);
+    errors.push_back(21.0 - latticeLineLengths(arc)[arc.nodeNumber(0, 1, 1)][0]);
   }
   EXPECT_NEAR(analytic::observedOrder(sizes, errors), 2.0, 0.1);
 }

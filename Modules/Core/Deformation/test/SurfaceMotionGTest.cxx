@@ -47,6 +47,7 @@ TEST(SurfaceMotion, AnInflatedBallMovesOutwardsEverywhere)
   {
     EXPECT_NEAR(motion.normalMotion[b], 2.0, 1e-4);
     EXPECT_NEAR(motion.signedDistance[b], 2.0, 1e-12);
+    EXPECT_NEAR(motion.baselineSignedDistance[b], 2.0, 0.1); // to facets of the larger ball
   }
   for (const double ratio : motion.areaRatio)
   {
@@ -86,6 +87,7 @@ TEST(SurfaceMotion, ASmallerBallLiesInside)
   const SurfaceMotion motion = surfaceMotion(ball, scaledBy(ball, 0.9));
   EXPECT_LT(*std::max_element(motion.normalMotion.begin(), motion.normalMotion.end()), -1.8);
   EXPECT_LT(*std::max_element(motion.signedDistance.begin(), motion.signedDistance.end()), -1.7);
+  EXPECT_LT(*std::max_element(motion.baselineSignedDistance.begin(), motion.baselineSignedDistance.end()), -1.7);
 }
 
 TEST(SurfaceMotion, NoMotionIsExactlyNone)
@@ -94,7 +96,50 @@ TEST(SurfaceMotion, NoMotionIsExactlyNone)
   const SurfaceMotion motion = surfaceMotion(ball, ball);
   EXPECT_EQ(motion.normalMotion, std::vector<double>(motion.nodes.size(), 0.0));
   EXPECT_EQ(motion.signedDistance, std::vector<double>(motion.nodes.size(), 0.0));
+  EXPECT_EQ(motion.baselineSignedDistance, std::vector<double>(motion.nodes.size(), 0.0));
   EXPECT_EQ(motion.areaRatio, std::vector<double>(motion.area.size(), 1.0));
+}
+
+namespace
+{
+
+/** A box of 8 mm, its middle node on top drawn out to a finger. \param length  of the finger [mm] */
+HexMesh
+boxWithFinger(double length)
+{
+  HexMesh mesh = boxLattice(9, { 8, 8, 8 });
+  mesh.nodes[mesh.nodeNumber(4, 4, 8)][2] += length;
+  return mesh;
+}
+
+double
+largest(const std::vector<double> & values)
+{
+  return *std::max_element(values.begin(), values.end());
+}
+
+double
+smallest(const std::vector<double> & values)
+{
+  return *std::min_element(values.begin(), values.end());
+}
+
+} // namespace
+
+TEST(SurfaceMotion, AFingerThatAppearsIsSeenFromTheFollowUp)
+{
+  const SurfaceMotion motion = surfaceMotion(boxWithFinger(0.0), boxWithFinger(10.0));
+  EXPECT_NEAR(largest(motion.signedDistance), 10.0, 1e-12);
+  EXPECT_LT(largest(motion.baselineSignedDistance), 1.0); // as thick as the finger is
+  EXPECT_NEAR(smallest(motion.signedDistance), 0.0, 1e-12);
+}
+
+TEST(SurfaceMotion, AFingerThatDisappearsIsSeenFromTheBaseline)
+{
+  const SurfaceMotion motion = surfaceMotion(boxWithFinger(10.0), boxWithFinger(0.0));
+  EXPECT_NEAR(smallest(motion.baselineSignedDistance), -10.0, 1e-12);
+  EXPECT_GT(smallest(motion.signedDistance), -1.0); // as thick as the finger is
+  EXPECT_NEAR(largest(motion.baselineSignedDistance), 0.0, 1e-12);
 }
 
 TEST(SurfaceMotion, SlidingAlongTheSurfaceIsNoDistance)

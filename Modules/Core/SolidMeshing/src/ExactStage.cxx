@@ -149,6 +149,7 @@ private:
     {
       keep(std::move(*found.better), m_Result);
       m_Result.turnWarning = found.turn;
+      m_Result.fallbackTurn = found.rotation;
     }
     note("turned frames");
     return found.hopeless;
@@ -173,16 +174,19 @@ private:
       EqualisationResult equalised =
         equaliseVolumes(m_Start, signedDistance(phi), m_Stage.volume, m_OwnFrame, progressBetween(progress, 0.0, 0.3));
       std::string turn;
+      Matrix3     rotation = Matrix3::Identity();
       if (isRounder && !equalised.exact)
       {
         FrameSearchResult found = searchTurnedFrames(m_Stage, phi, equalised, progressBetween(progress, 0.3, 1.0));
         equalised = found.better ? std::move(*found.better) : std::move(equalised);
         turn = found.turn;
+        rotation = found.rotation;
       }
       if (equalised.exact)
       {
         keep(std::move(equalised), m_Result);
         m_Result.turnWarning = turn;
+        m_Result.fallbackTurn = rotation;
         m_Result.simplerSolid = std::move(simpler);
       }
       note(name);
@@ -202,6 +206,7 @@ private:
     {
       keep(std::move(equalised), m_Result);
       m_Result.turnWarning.clear();
+      m_Result.fallbackTurn.setIdentity();
     }
     note("own frame, worked out");
   }

@@ -22,7 +22,7 @@ struct ExactStage
 
 /** Stage J: equal volumes; where the own frame does not lead to an exact mesh, of a smoother solid, then in turned
  * frames, then of a rounder solid; then equal masses where a density is given. Replaces result.mesh; sets
- * result.equalisation, result.attempts, result.mass, result.simplerSolid and result.turnWarning.
+ * result.equalisation, result.attempts, result.mass, result.simplerSolid, result.turnWarning and result.fallbackTurn.
  * \throws NotConverged  ErrorCode::Shape: no frame has prospects, and options.allowPartial is not set */
 void
 makeExact(const ExactStage & stage, SolidMeshingResult & result, const ProgressCallback & progress);

@@ -197,6 +197,7 @@ searchTurnedFrames(const ExactStage &         stage,
     {
       found.better = std::move(equalised);
       found.turn = describeTurn(turns[t]);
+      found.rotation = turns[t];
       present = &*found.better;
     }
   }

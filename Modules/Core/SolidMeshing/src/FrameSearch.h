@@ -37,6 +37,7 @@ struct FrameSearchResult
 {
   std::optional<EqualisationResult> better; ///< than the mesh there was; nothing where no frame led to one
   std::string                       turn;   ///< which frame that was, for a warning
+  Matrix3                           rotation{ Matrix3::Identity() }; ///< that of the frame
   std::optional<HopelessShape>      hopeless;
 };
 

@@ -333,6 +333,12 @@ shellsToExtract(const SolidMeshingOptions & options)
   return isFast(options) ? std::min(options.fastShells, options.shells) : options.shells;
 }
 
+Matrix3
+latticeTurn(const SolidMeshingResult & result)
+{
+  return result.frame ? Matrix3(result.fallbackTurn * result.frame->placement.rotation) : result.fallbackTurn;
+}
+
 SolidMeshingResult
 meshSolid(const LevelSet &            ordering,
           const LevelSet &            phi,

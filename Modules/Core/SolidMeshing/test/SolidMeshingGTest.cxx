@@ -160,10 +160,14 @@ TEST(MeshSolid, ATurnedFrameIsTakenWhereTheOwnOneDoesNotDo)
   const SolidMeshingResult own = meshSolid(solid.ordering, solid.phi, solid.volume, options);
   EXPECT_FALSE(own.equalisation->exact);
   EXPECT_TRUE(own.turnWarning.empty());
+  EXPECT_EQ(latticeTurn(own), Matrix3(Matrix3::Identity()));
 
   options.turnedFrames = 2;
   const SolidMeshingResult turned = meshSolid(solid.ordering, solid.phi, solid.volume, options);
   EXPECT_NE(turned.turnWarning.find("turned by"), std::string::npos);
+  const long degrees = std::lround(Eigen::AngleAxisd(latticeTurn(turned)).angle() * 180.0 / pi);
+  EXPECT_GT(degrees, 0);
+  EXPECT_NE(turned.turnWarning.find("turned by " + std::to_string(degrees) + " degrees"), std::string::npos);
   EXPECT_LE(turned.equalisation->variance, 1e-12);
   EXPECT_LE(turned.equalisation->uncertifiedCells, own.equalisation->uncertifiedCells);
   EXPECT_GT(turned.stages.back().quality->scaledJacobian.minimum, own.stages.back().quality->scaledJacobian.minimum);

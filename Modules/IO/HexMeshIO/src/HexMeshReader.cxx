@@ -1,5 +1,7 @@
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 
+#include <utility>
+
 namespace moserhex
 {
 
@@ -18,14 +20,21 @@ latticeOf(const UnstructuredHexMesh & mesh, const std::string & fileName)
   return *std::move(lattice);
 }
 
-HexMesh
-readHexMesh(const std::string & fileName, const ReadOptions & options)
+HexMeshFile
+readHexMeshFile(const std::string & fileName, const ReadOptions & options)
 {
   if (!isHexCellName(fileName))
   {
     throw BadInput(ErrorCode::Usage, fileName, "not a mesh file's name", "give a .vtu, .vtk, .msh, .mesh or .inp file");
   }
-  return latticeOf(readHexCells(fileName, options).mesh, fileName);
+  HexCellFile file = readHexCells(fileName, options);
+  return { latticeOf(file.mesh, fileName), std::move(file.meshArrays) };
+}
+
+HexMesh
+readHexMesh(const std::string & fileName, const ReadOptions & options)
+{
+  return readHexMeshFile(fileName, options).mesh;
 }
 
 } // namespace moserhex

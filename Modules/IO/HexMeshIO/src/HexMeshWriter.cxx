@@ -16,12 +16,6 @@ namespace moserhex
 namespace
 {
 
-bool
-isVtkName(const std::string & fileName)
-{
-  return endsWithAny(fileName, { ".vtu", ".vtk" });
-}
-
 void
 requireSize(const char * what, std::size_t actual, std::size_t expected)
 {
@@ -52,7 +46,7 @@ void
 requireUsableArrays(const std::string & fileName, const HexMesh & mesh, const HexMeshFields & fields)
 {
   const bool isAny = !fields.pointArrays.empty() || !fields.cellArrays.empty() || !fields.meshArrays.empty();
-  if (isAny && !isVtkName(fileName))
+  if (isAny && !holdsNamedArrays(fileName))
   {
     throw InvalidInput("writeHexMesh: named arrays are written to .vtu and .vtk only");
   }
@@ -182,9 +176,15 @@ requireSameBytes(const AtomicFile & file, const std::string & bytes)
 } // namespace
 
 bool
+holdsNamedArrays(const std::string & fileName)
+{
+  return endsWithAny(fileName, { ".vtu", ".vtk" });
+}
+
+bool
 isHexMeshName(const std::string & fileName)
 {
-  return isVtkName(fileName) || endsWithAny(fileName, { ".msh", ".inp", ".mesh", ".feb", ".exo" });
+  return holdsNamedArrays(fileName) || endsWithAny(fileName, { ".msh", ".inp", ".mesh", ".feb", ".exo" });
 }
 
 void
@@ -204,7 +204,7 @@ writeHexMesh(const std::string &          fileName,
   requireUsableArrays(fileName, mesh, fields);
   const HexMeshContent content{ mesh, fields, std::move(ratios), shellOfCells(mesh) };
   AtomicFile           file(fileName);
-  if (isVtkName(fileName))
+  if (holdsNamedArrays(fileName))
   {
     writeVtkMesh(file, content, options);
     requireSame(file, mesh);

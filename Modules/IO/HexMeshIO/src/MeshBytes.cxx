@@ -37,7 +37,8 @@ putArrays(ParcelWriter & parcel, const std::vector<NamedArray> & arrays)
   }
 }
 
-/** \param count  of cells or nodes \throws std::out_of_range  too short, or an array that does not fit the count */
+/** \param count  of cells or nodes, or 1 \throws std::out_of_range  too short, or an array that does not fit the count
+ */
 std::vector<NamedArray>
 takeArrays(ParcelReader & parcel, std::size_t count)
 {
@@ -119,6 +120,7 @@ bytesOf(const HexCellFile & file)
   parcel.put(file.warnings);
   putArrays(parcel, file.arrays.ofCells);
   putArrays(parcel, file.arrays.ofNodes);
+  putArrays(parcel, file.meshArrays);
   return parcel.take();
 }
 
@@ -134,6 +136,7 @@ hexCellFileOf(const std::string & fileName, const std::string & bytes)
     file.warnings = parcel.texts();
     file.arrays.ofCells = takeArrays(parcel, file.mesh.cells.size());
     file.arrays.ofNodes = takeArrays(parcel, file.mesh.nodes.size());
+    file.meshArrays = takeArrays(parcel, 1);
     requireValid(file.mesh);
     if (parcel.atEnd())
     {

@@ -280,6 +280,11 @@ toJson(const RunReport & report)
                       { "edge_score_before", report.frame->scoreBefore },
                       { "edge_score_after", report.frame->scoreAfter } };
   }
+  if (report.latticeTurn)
+  {
+    const Vector3 & turn = *report.latticeTurn;
+    json["lattice_turn_degrees"] = { turn[0], turn[1], turn[2] };
+  }
   if (report.exact)
   {
     json["exact"] = exactJson(report);

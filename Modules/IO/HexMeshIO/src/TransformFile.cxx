@@ -6,6 +6,7 @@
 #include "Parcel.h"
 #include "ReaderSandbox.h"
 
+#include <itkCompositeTransform.h>
 #include <itkHDF5TransformIO.h>
 #include <itkMatlabTransformIO.h>
 #include <itkTransform.h>
@@ -26,7 +27,7 @@ namespace
 using TransformType = itk::Transform<double, 3, 3>;
 using ReaderType = itk::TransformFileReaderTemplate<double>;
 
-constexpr const char * remedy = "give one transform written by ITK, Slicer, ANTs or elastix";
+constexpr const char * remedy = "give one transform written by ITK, Slicer or ANTs";
 
 itk::TransformIOBaseTemplate<double>::Pointer
 ioFor(const std::string & fileName)
@@ -42,12 +43,44 @@ ioFor(const std::string & fileName)
   return itk::TxtTransformIOTemplate<double>::New().GetPointer();
 }
 
+/** The transforms that have numbers of their own in a text: of a composite its parts, in their order. */
+std::vector<const TransformType *>
+partsOf(const TransformType & transform)
+{
+  const auto * composite = dynamic_cast<const itk::CompositeTransform<double, 3> *>(&transform);
+  if (composite == nullptr)
+  {
+    return { &transform };
+  }
+  std::vector<const TransformType *> parts;
+  for (itk::SizeValueType part = 0; part < composite->GetNumberOfTransforms(); ++part)
+  {
+    parts.push_back(composite->GetNthTransformConstPointer(part));
+  }
+  return parts;
+}
+
+/** Whether the line begins one of partsOf. */
+bool
+beginsPart(const std::vector<std::string_view> & words)
+{
+  constexpr std::string_view key = "Transform:";
+  if (words.front().substr(0, key.size()) != key)
+  {
+    return false;
+  }
+  const std::string_view type = words.size() > 1 ? words[1] : words.front().substr(key.size());
+  return type.find("CompositeTransform") == std::string_view::npos;
+}
+
 /** ITK reads a text that was cut as a transform with other numbers, without a word.
- * \throws BadInput  not as many numbers as the transform has, or an unfinished last line */
+ * \throws BadInput  not as many numbers as each transform in it has, or an unfinished last line */
 void
 requireComplete(const std::string & fileName, const TransformType & transform)
 {
-  FileText text(fileName, remedy, '#', ErrorCode::Format);
+  const std::vector<const TransformType *> parts = partsOf(transform);
+  std::size_t                              begun = 0;
+  FileText                                 text(fileName, remedy, '#', ErrorCode::Format);
   if (!text.endsWithNewLine())
   {
     throw BadInput(ErrorCode::Truncated, fileName, "the last line has no end", remedy);
@@ -55,10 +88,16 @@ requireComplete(const std::string & fileName, const TransformType & transform)
   std::vector<std::string_view> words;
   while (text.nextWords(words))
   {
+    begun += beginsPart(words) ? 1 : 0;
     const bool isFixed = words.front() == "FixedParameters:";
     if (isFixed || words.front() == "Parameters:")
     {
-      const std::size_t needed = isFixed ? transform.GetFixedParameters().Size() : transform.GetNumberOfParameters();
+      if (begun == 0 || begun > parts.size())
+      {
+        text.refuse("numbers of no transform of " + std::to_string(parts.size()));
+      }
+      const TransformType & part = *parts[begun - 1];
+      const std::size_t     needed = isFixed ? part.GetFixedParameters().Size() : part.GetNumberOfParameters();
       if (words.size() - 1 != needed)
       {
         throw BadInput(ErrorCode::Truncated,
@@ -71,9 +110,26 @@ requireComplete(const std::string & fileName, const TransformType & transform)
   }
 }
 
+/** \throws BadInput  elastix's own format, which says of a transform what only elastix understands */
+void
+requireNotOfElastix(const std::string & fileName)
+{
+  constexpr const char * itsRemedy = "run elastix with (ITKTransformOutputFileNameExtension \"tfm\") and give that";
+  const FileText         text(fileName, itsRemedy, '\0', ErrorCode::Unsupported);
+  if (text.contains("(Transform \""))
+  {
+    text.refuse("a parameter file of elastix, not a transform of ITK");
+  }
+}
+
 TransformType::ConstPointer
 readTransform(const std::string & fileName)
 {
+  const bool isText = endsWithAny(fileName, { ".tfm", ".txt" });
+  if (isText)
+  {
+    requireNotOfElastix(fileName);
+  }
   const auto reader = ReaderType::New();
   reader->SetFileName(fileName);
   reader->SetTransformIO(ioFor(fileName));
@@ -95,7 +151,7 @@ readTransform(const std::string & fileName)
   {
     throw BadInput(ErrorCode::Unsupported, fileName, "not a transform of points in space", remedy);
   }
-  if (endsWithAny(fileName, { ".tfm", ".txt" }))
+  if (isText)
   {
     requireComplete(fileName, *transform);
   }

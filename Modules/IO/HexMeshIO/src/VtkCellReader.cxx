@@ -239,19 +239,48 @@ arraysOf(vtkFieldData & data, vtkIdType count, const std::vector<vtkIdType> & ke
   return arrays;
 }
 
+/** Numbers that stand in a file once for the mesh. */
+std::vector<NamedArray>
+meshArraysOf(vtkFieldData & data)
+{
+  std::vector<NamedArray> arrays;
+  for (int number = 0; number < data.GetNumberOfArrays(); ++number)
+  {
+    vtkDataArray * const array = data.GetArray(number); // nullptr: of words
+    if (array && array->GetName() && array->GetNumberOfTuples() == 1)
+    {
+      NamedArray named{ array->GetName(), array->GetNumberOfComponents(), {} };
+      for (int component = 0; component < named.components; ++component)
+      {
+        named.values.push_back(array->GetComponent(0, component));
+      }
+      arrays.push_back(std::move(named));
+    }
+  }
+  return arrays;
+}
+
+HexCellFile
+fileOf(const FileGrid & file, const std::string & fileName)
+{
+  HexCellFile result = meshOf(file, fileName);
+  result.meshArrays = meshArraysOf(*file.grid->GetFieldData());
+  return result;
+}
+
 } // namespace
 
 HexCellFile
 readVtkCells(const std::string & fileName)
 {
-  return meshOf(readGrid(fileName), fileName);
+  return fileOf(readGrid(fileName), fileName);
 }
 
 HexCellFile
 readVtkCellsWithArrays(const std::string & fileName)
 {
   const FileGrid        file = readGrid(fileName);
-  HexCellFile           result = meshOf(file, fileName);
+  HexCellFile           result = fileOf(file, fileName);
   vtkUnstructuredGrid & grid = *file.grid;
   const KeptNumbers     kept = keptNumbers(grid);
   result.arrays.ofCells = arraysOf(*grid.GetCellData(), grid.GetNumberOfCells(), kept.cells, fileName);

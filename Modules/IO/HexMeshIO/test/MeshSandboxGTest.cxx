@@ -38,7 +38,7 @@ hexahedra()
 {
   const HexCellArrays arrays{ { { "OfCells", 2, std::vector<double>(16, 1.5) } },
                               { { "OfNodes", 1, std::vector<double>(27, -2.0) } } };
-  return { unstructured(cubeLattice(3)), { "a warning", "another" }, arrays };
+  return { unstructured(cubeLattice(3)), { "a warning", "another" }, arrays, { { "OfMesh", 3, { 1, 2, 3 } } } };
 }
 
 ErrorCode
@@ -81,6 +81,9 @@ TEST(MeshBytes, HexahedraGoThroughUnchanged)
   EXPECT_EQ(copy.arrays.ofCells[0].values, file.arrays.ofCells[0].values);
   ASSERT_EQ(copy.arrays.ofNodes.size(), 1U);
   EXPECT_EQ(copy.arrays.ofNodes[0].values, file.arrays.ofNodes[0].values);
+  ASSERT_EQ(copy.meshArrays.size(), 1U);
+  EXPECT_EQ(copy.meshArrays[0].name, "OfMesh");
+  EXPECT_EQ(copy.meshArrays[0].values, file.meshArrays[0].values);
 }
 
 TEST(MeshBytes, BytesThatAreNoWholeMeshAreRefused)
@@ -132,6 +135,25 @@ TEST(MeshSandbox, ChangesNothing)
     EXPECT_EQ(there.mesh.nodes, readHexCells(folder / name, here).mesh.nodes) << name;
     EXPECT_EQ(there.mesh.cells, readHexCells(folder / name, here).mesh.cells) << name;
     EXPECT_EQ(there.mesh.nodes, cubeLattice(4).nodes) << name;
+  }
+}
+
+TEST(MeshSandbox, WhatStandsOnceForTheMeshComesBack)
+{
+  const TestFolder folder;
+  HexMeshFields    fields;
+  fields.meshArrays = { { "Turn", 3, { 10.0, 20.5, -30.0 } } };
+  for (const char * name : { "a.vtu", "a.vtk" })
+  {
+    writeHexMesh(folder / name, cubeLattice(3), fields);
+    for (const ReadOptions & options : { ReadOptions{}, here })
+    {
+      const HexMeshFile file = readHexMeshFile(folder / name, options);
+      EXPECT_EQ(file.mesh.nodes, cubeLattice(3).nodes) << name;
+      ASSERT_EQ(file.meshArrays.size(), 1U) << name;
+      EXPECT_EQ(file.meshArrays[0].name, "Turn") << name;
+      EXPECT_EQ(file.meshArrays[0].values, fields.meshArrays[0].values) << name;
+    }
   }
 }
 

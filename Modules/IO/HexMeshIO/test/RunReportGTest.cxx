@@ -147,8 +147,11 @@ TEST(RunReport, DensityAndFrameAreThereOnlyWhenTheyWereUsed)
   EXPECT_EQ(json["density"]["mass"], 5100.0);
   EXPECT_EQ(json["density"]["mass_per_cell"], 5100.0 / 6859.0);
   EXPECT_EQ(json["frame"]["turned_degrees"], 6.5);
+  EXPECT_FALSE(json.contains("lattice_turn_degrees"));
   EXPECT_EQ(json["frame"]["edge_score_before"], 3.0);
   EXPECT_EQ(json["frame"]["edge_score_after"], 1.5);
+  report.latticeTurn = Vector3(0.0, 6.5, 0.0);
+  EXPECT_EQ(Json::parse(toJson(report))["lattice_turn_degrees"], Json({ 0.0, 6.5, 0.0 }));
 }
 
 TEST(RunReport, OfATemplateSaysHowItWasPlaced)

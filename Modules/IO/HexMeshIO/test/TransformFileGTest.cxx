@@ -9,11 +9,14 @@
 #include <itkAffineTransform.h>
 #include <itkCompositeTransform.h>
 #include <itkDisplacementFieldTransform.h>
+#include <itkEuler3DTransform.h>
 #include <itkHDF5TransformIO.h>
 #include <itkMatlabTransformIO.h>
 #include <itkTransformFileWriter.h>
 #include <itkTranslationTransform.h>
+#include <itkTxtTransformIO.h>
 
+#include <cmath>
 #include <fstream>
 
 using namespace moserhex;
@@ -126,6 +129,51 @@ TEST_P(TransformFile, OfSeveralPutTogetherTakesTheLastFirst)
   write<itk::HDF5TransformIOTemplate<double>>("a.h5", both);
   const Positions points = transformed("a.h5");
   EXPECT_LT((points[0] - Vector3(13, 5, 6)).norm(), 1e-12);
+}
+
+TEST_P(TransformFile, OfTwoRigidPartsInAText)
+{
+  using Rigid = itk::Euler3DTransform<double>;
+  const auto both = itk::CompositeTransform<double, 3>::New();
+  for (const double height : { 1.0, 10.0 })
+  {
+    const auto              part = Rigid::New();
+    Rigid::OutputVectorType shift;
+    shift.Fill(0.0);
+    shift[2] = height;
+    part->SetRotation(0.0, 0.0, std::acos(-1.0) / 4.0);
+    part->SetTranslation(shift);
+    both->AddTransform(part);
+  }
+  write<itk::TxtTransformIOTemplate<double>>("a.tfm", both);
+  EXPECT_LT((transformed("a.tfm")[0] - Vector3(-2, 1, 14)).norm(), 1e-12);
+  const SimilarityTransform found = similarityOfFile(m_Folder / "a.tfm", { GetParam() });
+  EXPECT_NEAR(found.angle(), 90.0, 1e-6);
+}
+
+TEST_P(TransformFile, OfATextWithAPartOfOtherNumbersIsRefused)
+{
+  const std::string composite =
+    "#Insight Transform File V1.0\n#Transform 0\nTransform: CompositeTransform_double_3_3\n";
+  const std::string move = "#Transform 1\nTransform: TranslationTransform_double_3_3\nParameters: 1 2 3\n"
+                           "FixedParameters: \n";
+  const std::string rest = text.substr(text.find("Transform: "));
+  write("whole.tfm", composite + move + "#Transform 2\n" + rest);
+  EXPECT_LT((transformed("whole.tfm")[1] - Vector3(11, 2, 2)).norm(), 1e-12);
+  std::string other = composite + move + "#Transform 2\n" + rest;
+  other.insert(other.find(" 2 3\n"), " 7");
+  write("other.tfm", other);
+  expectRefused("other.tfm", ErrorCode::Truncated);
+}
+
+TEST_P(TransformFile, OfElastixsOwnFormatIsRefusedWithTheRemedy)
+{
+  write("TransformParameters.0.txt",
+        "(Transform \"EulerTransform\")\n(NumberOfParameters 6)\n(TransformParameters 0 0 0.1 1 2 3)\n");
+  const std::string error = errorOf([&] { (void)transformed("TransformParameters.0.txt"); });
+  EXPECT_EQ(error.substr(0, 13), "E_UNSUPPORTED") << error;
+  EXPECT_NE(error.find("a parameter file of elastix"), std::string::npos) << error;
+  EXPECT_NE(error.find("ITKTransformOutputFileNameExtension"), std::string::npos) << error;
 }
 
 TEST_P(TransformFile, OfADisplacementField)

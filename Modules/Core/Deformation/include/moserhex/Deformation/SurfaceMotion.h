@@ -27,13 +27,19 @@ struct SurfaceMotion
   Positions                normals;        ///< N, outward unit normal of the baseline at each of them, B x 3 [1]
   std::vector<double>      normalMotion;   ///< (x - X) . N, positive outwards, B [mm]
   std::vector<double>      signedDistance; ///< of the follow-up's node from the baseline's surface, outside > 0, B [mm]
-  std::vector<double>      area;           ///< of the baseline, 6 (n-1)^2 in the order of boundaryQuads [mm^2]
-  std::vector<double>      areaRatio;      ///< area after / before, 6 (n-1)^2 [1]
+  /** Of the baseline's node from the follow-up's surface, inside > 0, so that growth is positive as above, B [mm]. */
+  std::vector<double> baselineSignedDistance;
+  std::vector<double> area;      ///< of the baseline, 6 (n-1)^2 in the order of boundaryQuads [mm^2]
+  std::vector<double> areaRatio; ///< area after / before, 6 (n-1)^2 [1]
 };
 
 /** Normal motion follows the nodes, so what slides along the surface and where the surface bends adds to it; the signed
  * distance asks only how far the new surface is from the old one, whichever node is there. On a smooth surface both
  * agree up to the square of the motion over the radius of curvature.
+ *
+ * A signed distance sees what its own nodes lie on: that of the follow-up a part that has appeared, to its tip, that of
+ * the baseline one that has gone. The other of the two passes by: nodes around the foot of a lost finger are no farther
+ * from the old surface than the finger is thick. Read the first for growth, the second for shrinkage.
  *
  * Normals are area-weighted over the triangles around a node: O(h^2) on smooth surfaces, O(h) along the cube's edges,
  * where lattice lines bend; on the edges of a box they are the mean of its faces. Areas and distances are those of

@@ -170,13 +170,20 @@ struct SolidMeshingResult
   std::optional<TemplateRefinementResult> refinement;   ///< of a tied mesh
   std::optional<LevelSet>                 simplerSolid; ///< the solid that was meshed when it is not phi
   std::string                             turnWarning;  ///< which of the fallback turns was used; empty: none
-  std::vector<std::string>                attempts;     ///< of stage J, in order, and what came of each
+  Matrix3                                 fallbackTurn{ Matrix3::Identity() }; ///< that turn, see latticeTurn()
+  std::vector<std::string>                attempts;                     ///< of stage J, in order, and what came of each
   bool                                    drawnFromOwnMesh{ false };    ///< SolidMeshingOptions::ownMesh, to a template
   bool                                    exactWithoutPadding{ false }; ///< stage J made the lattice alone exact
   std::optional<MassReport>               mass;                         ///< with a density
   std::optional<EqualisationResult>       equalisation;                 ///< stage J; its mesh is emptied
   std::vector<std::string>                warnings;                     ///< what a user should be told, one line each
 };
+
+/** How the lattice is turned against the patient's axes, by LatticeFrame::Ridge and by a fallback turn: the rotation
+ * that takes the patient's directions to the cube's [1]. The identity where it is not, and of a tied mesh, whose
+ * lattice lies as its template's does. */
+[[nodiscard]] Matrix3
+latticeTurn(const SolidMeshingResult & result);
 
 /** Stages C to K: from a solid and its ordering by volume to a structured hexahedral mesh.
  *

@@ -24,6 +24,8 @@ struct HexCellFile
   UnstructuredHexMesh      mesh;     ///< nodes in the file's order, those of no hexahedron left out [mm]
   std::vector<std::string> warnings; ///< what was ignored, one line each
   HexCellArrays            arrays{}; ///< of readHexCellsWithArrays only
+  /** What stands in the file once for the mesh: numbers of VTK's field data, of .vtu and .vtk only. */
+  std::vector<NamedArray> meshArrays{};
 };
 
 /** Whether the name ends like a mesh this reader takes: .vtu .vtk .msh .mesh .inp (any case). */

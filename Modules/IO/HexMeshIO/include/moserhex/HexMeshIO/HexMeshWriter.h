@@ -44,6 +44,10 @@ inline constexpr const char * hexMeshEndings = ".vtu .vtk .msh .inp .mesh .feb o
 [[nodiscard]] bool
 isHexMeshName(const std::string & fileName);
 
+/** Whether a file of that name holds named arrays: .vtu and .vtk (any case). */
+[[nodiscard]] bool
+holdsNamedArrays(const std::string & fileName);
+
 /** Writes a mesh in the format of the name's ending, complete or not at all.
  *
  *   .vtu    VTK, appended, zlib

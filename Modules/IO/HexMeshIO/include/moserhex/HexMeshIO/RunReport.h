@@ -182,20 +182,21 @@ struct RunReport
     std::string eigen;    ///< of Eigen
   };
 
-  std::optional<Failure>      failure;        ///< empty: meshed
-  Input                       input;          ///< what was read
-  std::optional<Density>      density;        ///< empty: volumes
-  std::optional<Conditioning> conditioning;   ///< empty: not done yet
-  Parameters                  parameters;     ///< what was asked for
-  std::vector<StageRecord>    stages;         ///< in order of execution
-  Mesh                        mesh;           ///< of a failed run the file's name only
-  std::optional<Surface>      surface;        ///< empty: no mesh yet
-  std::optional<Template>     templateMesh;   ///< empty: no template
-  std::optional<Frame>        frame;          ///< when it was asked for
-  std::optional<Exact>        exact;          ///< empty: the last stage is another, or no mesh yet
-  std::vector<std::string>    warnings;       ///< what a user should be told, one line each
-  Versions                    versions;       ///< itk, vtk and eigen are filled in by libraryVersions()
-  unsigned int                threads{ 0 };   ///< as asked for; 0: all of the machine's
+  std::optional<Failure>      failure;      ///< empty: meshed
+  Input                       input;        ///< what was read
+  std::optional<Density>      density;      ///< empty: volumes
+  std::optional<Conditioning> conditioning; ///< empty: not done yet
+  Parameters                  parameters;   ///< what was asked for
+  std::vector<StageRecord>    stages;       ///< in order of execution
+  Mesh                        mesh;         ///< of a failed run the file's name only
+  std::optional<Surface>      surface;      ///< empty: no mesh yet
+  std::optional<Template>     templateMesh; ///< empty: no template
+  std::optional<Frame>        frame;        ///< when it was asked for
+  std::optional<Vector3>      latticeTurn;  ///< rotation off the patient's axes, axis times angle [degree]; empty: none
+  std::optional<Exact>        exact;        ///< empty: the last stage is another, or no mesh yet
+  std::vector<std::string>    warnings;     ///< what a user should be told, one line each
+  Versions                    versions;     ///< itk, vtk and eigen are filled in by libraryVersions()
+  unsigned int                threads{ 0 }; ///< as asked for; 0: all of the machine's
   double                      seconds{ 0.0 }; ///< whole run, wall time
   std::optional<double>       peakMemory;     ///< of the process [MiB]
   bool reproducible{ false };                 ///< seconds, threads and memory are left out: the same run, the same text

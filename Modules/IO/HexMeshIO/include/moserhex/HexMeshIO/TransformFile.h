@@ -20,8 +20,8 @@ isTransformName(const std::string & fileName);
  *
  * \param points  LPS [mm] \param options  read in a child process or not, as with readLabelImage
  * \return as many points, LPS [mm]
- * \throws BadInput  the file is missing or damaged, has another ending, not one transform of space, or takes a point to
- * one that is not finite; IOError  the file cannot be opened or read */
+ * \throws BadInput  the file is missing or damaged, has another ending, not one transform of space, is of elastix's own
+ * format (Unsupported), or takes a point to one that is not finite; IOError  the file cannot be opened or read */
 [[nodiscard]] Positions
 transformedByFile(const std::string & fileName, const Positions & points, const ReadOptions & options = {});
 

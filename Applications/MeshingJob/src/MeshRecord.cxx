@@ -1,0 +1,165 @@
+#include "MeshRecord.h"
+
+#include "moserhex/HexMeshIO/FileErrors.h"
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace moserhex::app
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr const char * turnArray = "LatticeTurn";
+const double           degree = std::acos(-1.0) / 180.0;
+
+/** The report; discarded when there is none. */
+Json
+reportBeside(const std::string & meshFile)
+{
+  const fs::path  report = fs::path(meshFile).replace_extension(".json");
+  std::error_code missing;
+  if (!fs::is_regular_file(report, missing) || fs::file_size(report, missing) > largestReport)
+  {
+    return Json(Json::value_t::discarded);
+  }
+  std::ifstream file(report, std::ios::binary);
+  return Json::parse(file, nullptr, false);
+}
+
+/** Nothing where it is no turn. */
+std::optional<LatticeTurn>
+turnBy(const std::vector<double> & rotation)
+{
+  if (rotation.size() != 3)
+  {
+    return std::nullopt;
+  }
+  const Vector3 vector(rotation[0], rotation[1], rotation[2]);
+  const double  angle = vector.norm();
+  if (!std::isfinite(angle) || !(angle > 0.0))
+  {
+    return std::nullopt;
+  }
+  const Vector3      axis = vector / angle;
+  std::ostringstream text;
+  text << "the lattice is turned by " << std::round(angle) << " degrees about (" << std::setprecision(2) << axis[0]
+       << ' ' << axis[1] << ' ' << axis[2] << ")";
+  return LatticeTurn{ text.str(), vector };
+}
+
+/** Neither is turned, or both by one rotation, up to what is told in words. */
+bool
+areTurnedAlike(const std::optional<LatticeTurn> & a, const std::optional<LatticeTurn> & b)
+{
+  constexpr double tolerance = 0.5; // [degree]
+  if (!a || !b)
+  {
+    return !a && !b;
+  }
+  return a->rotation && b->rotation && (*a->rotation - *b->rotation).norm() <= tolerance;
+}
+
+std::optional<LatticeTurn>
+turnInReport(const Json & report)
+{
+  const Json & rotation = report.contains("lattice_turn_degrees") ? report.at("lattice_turn_degrees") : Json();
+  if (rotation.is_array() &&
+      std::all_of(rotation.begin(), rotation.end(), [](const Json & entry) { return entry.is_number(); }))
+  {
+    return turnBy(rotation.get<std::vector<double>>());
+  }
+  for (const Json & warning : report.value("warnings", Json::array()))
+  {
+    const std::string text = warning.is_string() ? warning.get<std::string>() : "";
+    const std::size_t begin = text.find("the lattice is turned by ");
+    if (begin != std::string::npos)
+    {
+      return LatticeTurn{ text.substr(begin, text.find_first_of(":;", begin) - begin), {} };
+    }
+  }
+  const Json::json_pointer ridge("/frame/turned_degrees");
+  if (report.contains(ridge) && report.at(ridge).is_number() && report.at(ridge).get<double>() > 0.0)
+  {
+    const long degrees = std::lround(report.at(ridge).get<double>());
+    return LatticeTurn{ "the lattice is turned by " + std::to_string(degrees) + " degrees (--frame ridge)", {} };
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+Vector3
+rotationVector(const Matrix3 & rotation)
+{
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() / degree * turn.axis();
+}
+
+std::vector<NamedArray>
+latticeTurnArrays(const Vector3 & rotation)
+{
+  if (rotation.norm() == 0.0)
+  {
+    return {};
+  }
+  return { { turnArray, 3, { rotation[0], rotation[1], rotation[2] } } };
+}
+
+std::optional<LatticeTurn>
+turnOfLattice(const std::string & meshFile, const std::vector<NamedArray> & meshArrays)
+{
+  const auto array = std::find_if(
+    meshArrays.begin(), meshArrays.end(), [](const NamedArray & named) { return named.name == turnArray; });
+  if (array != meshArrays.end())
+  {
+    return turnBy(array->values);
+  }
+  const Json report = reportBeside(meshFile);
+  return report.is_object() ? turnInReport(report) : std::nullopt;
+}
+
+std::vector<std::string>
+turnWarnings(const std::vector<TurnOfFile> & meshes, const std::string & consequence)
+{
+  const bool               areAlike = std::all_of(meshes.begin(), meshes.end(), [&meshes](const TurnOfFile & mesh) {
+    return areTurnedAlike(mesh.turn, meshes.front().turn);
+  });
+  std::vector<std::string> warnings;
+  for (const TurnOfFile & mesh : meshes)
+  {
+    if (mesh.turn && !areAlike)
+    {
+      warnings.push_back(fileMessage(mesh.file, mesh.turn->description, consequence));
+    }
+  }
+  return warnings;
+}
+
+bool
+isReportedInexact(const std::string & meshFile)
+{
+  const Json report = reportBeside(meshFile);
+  if (!report.is_object())
+  {
+    return false;
+  }
+  const auto isAt = [&report](const char * place, const auto & isWrong) {
+    const Json::json_pointer pointer(place);
+    return report.contains(pointer) && isWrong(report.at(pointer));
+  };
+  return isAt("/parameters/stage", [](const Json & stage) { return stage.is_string() && stage != "exact"; }) ||
+         isAt("/exact/reached", [](const Json & reached) { return reached.is_boolean() && !reached.get<bool>(); });
+}
+
+} // namespace moserhex::app
