@@ -114,7 +114,7 @@ addWarningsOfCells(const TimePoint & point, std::vector<std::string> & warnings)
 void
 addWarningOfUnevenCells(const TimePoint & baseline, const TimePoint & followUp, std::vector<std::string> & warnings)
 {
-  if (hasEvenCells(baseline) == hasEvenCells(followUp))
+  if (hasEvenCells(baseline) == hasEvenCells(followUp) || followUp.hasLocalGrowth)
   {
     return;
   }
@@ -126,7 +126,7 @@ addWarningOfUnevenCells(const TimePoint & baseline, const TimePoint & followUp, 
                                    shortNumber(uneven.quality.volumeVariance) + "), those of " +
                                    oneLine(even.name, 30) + " are not",
                                  isBaseline ? "Volumetric is no local growth"
-                                            : "Volumetric is local growth only if it was made with its volumes free"));
+                                            : "Volumetric is no local growth, unless it was made with --local-growth"));
 }
 
 } // namespace
@@ -178,6 +178,7 @@ readTimeSeries(const CompareCommandOptions & options)
     {
       point.months = options.times[time];
     }
+    point.hasLocalGrowth = hasLocalGrowth(point.file.name, read.meshArrays);
     if (time > 0 && !options.transforms.empty())
     {
       point.transform = inputFile(options.transforms[time - 1]);

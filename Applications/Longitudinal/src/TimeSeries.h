@@ -40,9 +40,10 @@ struct TimePoint
   InputFile             file;
   std::string           name;
   std::optional<double> months;
-  HexMesh               lattice;       ///< without padding [mm]
-  double                volume{ 0.0 }; ///< of the organ, which is the lattice with its padding [mm^3]
-  VolumeQuality         quality;       ///< of the lattice
+  HexMesh               lattice;                 ///< without padding [mm]
+  double                volume{ 0.0 };           ///< of the organ, which is the lattice with its padding [mm^3]
+  VolumeQuality         quality;                 ///< of the lattice
+  bool                  hasLocalGrowth{ false }; ///< its cells were free to grow differently
   /** Onto the baseline, where it was given. */
   std::optional<SimilarityTransform> alignment;
   InputFile                          transform; ///< that gave it, from the baseline's space to this one's

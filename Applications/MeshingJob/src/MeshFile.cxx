@@ -111,6 +111,18 @@ turnOf(const PipelineType & pipeline, const PipelineInputs & inputs)
   return turn.norm() > 0.0 ? std::optional<Vector3>(turn) : std::nullopt;
 }
 
+/** Arrays of the mesh that say how it was made. */
+std::vector<NamedArray>
+recordOf(const RunReport & report)
+{
+  std::vector<NamedArray> arrays = latticeTurnArrays(report.latticeTurn.value_or(Vector3::Zero()));
+  if (report.templateMesh && report.templateMesh->growth)
+  {
+    arrays.push_back(localGrowthArray(report.templateMesh->growth->smallest, report.templateMesh->growth->largest));
+  }
+  return arrays;
+}
+
 /** Reads, meshes and writes the mesh. What is known by then is in the report, also when it throws. */
 void
 makeMesh(const MeshCommandOptions &                       options,
@@ -158,9 +170,9 @@ makeMesh(const MeshCommandOptions &                       options,
   say("writing the mesh");
   const HexMesh & mesh = meshed.pipeline->GetHexMesh();
   HexMeshFields   fields = fieldsOf(mesh, meshed.solid, options.threads);
-  if (report.latticeTurn && holdsNamedArrays(options.output))
+  if (holdsNamedArrays(options.output))
   {
-    fields.meshArrays = latticeTurnArrays(*report.latticeTurn);
+    fields.meshArrays = recordOf(report);
   }
   writeHexMesh(options.output, mesh, fields);
   if (!options.transformFile.empty())

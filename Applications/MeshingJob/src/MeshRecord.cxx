@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 
 namespace moserhex::app
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr const char * turnArray = "LatticeTurn";
+constexpr const char * growthArray = "LocalGrowth";
 const double           degree = std::acos(-1.0) / 180.0;
 
 /** The report; discarded when there is none. */
@@ -144,6 +146,32 @@ turnWarnings(const std::vector<TurnOfFile> & meshes, const std::string & consequ
     }
   }
   return warnings;
+}
+
+NamedArray
+localGrowthArray(double smallest, double largest)
+{
+  return { growthArray, 2, { smallest, largest } };
+}
+
+bool
+hasLocalGrowth(const std::string & meshFile, const std::vector<NamedArray> & meshArrays)
+{
+  const bool isInFile = std::any_of(
+    meshArrays.begin(), meshArrays.end(), [](const NamedArray & named) { return named.name == growthArray; });
+  const Json report = reportBeside(meshFile);
+  return isInFile || (report.is_object() && report.contains(Json::json_pointer("/template/local_growth")));
+}
+
+std::vector<NamedArray>
+recordOf(const std::string & meshFile, const std::vector<NamedArray> & meshArrays)
+{
+  const std::optional<LatticeTurn> turn = turnOfLattice(meshFile, meshArrays);
+  std::vector<NamedArray> record = latticeTurnArrays(turn ? turn->rotation.value_or(Vector3::Zero()) : Vector3::Zero());
+  std::copy_if(meshArrays.begin(), meshArrays.end(), std::back_inserter(record), [](const NamedArray & named) {
+    return named.name == growthArray;
+  });
+  return record;
 }
 
 bool

@@ -50,6 +50,20 @@ struct TurnOfFile
 [[nodiscard]] std::vector<std::string>
 turnWarnings(const std::vector<TurnOfFile> & meshes, const std::string & consequence);
 
+/** The array LocalGrowth of a mesh's file: its cells were free to grow differently. \param smallest, largest  growth of
+ * a cell, in parts of the organ's [1] */
+[[nodiscard]] NamedArray
+localGrowthArray(double smallest, double largest);
+
+/** Whether a mesh's cells were free to grow differently, by the array LocalGrowth of its file or else by the report
+ * beside it. \param meshArrays  of that file */
+[[nodiscard]] bool
+hasLocalGrowth(const std::string & meshFile, const std::vector<NamedArray> & meshArrays);
+
+/** What of this is in a mesh's file, or LatticeTurn in the report beside it, for another file of the same mesh. */
+[[nodiscard]] std::vector<NamedArray>
+recordOf(const std::string & meshFile, const std::vector<NamedArray> & meshArrays);
+
 /** Whether the report beside a mesh says that its cells were not made equal and valid: another last stage than exact,
  * or stage J fell short. False where there is no report. */
 [[nodiscard]] bool

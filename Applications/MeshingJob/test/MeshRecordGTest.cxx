@@ -108,6 +108,30 @@ TEST(MeshRecord, OnlyTurnsThatDifferAreWarnedOf)
   EXPECT_EQ(turnWarnings({ inWords, inWords }, "so").size(), 2u);
 }
 
+TEST(MeshRecord, LocalGrowthIsTold)
+{
+  const TestFolder folder;
+  const auto       inFile = std::vector<NamedArray>{ localGrowthArray(0.8, 2.1) };
+  EXPECT_TRUE(hasLocalGrowth(folder / "a.vtu", inFile));
+  EXPECT_FALSE(hasLocalGrowth(folder / "a.vtu", {}));
+  writeBytes(folder / "a.json", R"({"template": {"local_growth": {"smallest": 0.8}}})");
+  EXPECT_TRUE(hasLocalGrowth(folder / "a.vtu", {}));
+  writeBytes(folder / "a.json", R"({"template": 3})");
+  EXPECT_FALSE(hasLocalGrowth(folder / "a.vtu", {}));
+}
+
+TEST(MeshRecord, IsKeptForAnotherFileOfTheMesh)
+{
+  const TestFolder        folder;
+  std::vector<NamedArray> inFile = latticeTurnArrays({ 0, 0, 45 });
+  inFile.push_back(localGrowthArray(0.8, 2.1));
+  inFile.push_back({ "Other", 1, { 1.0 } });
+  const std::vector<NamedArray> kept = recordOf(folder / "a.vtu", inFile);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].name, "LatticeTurn");
+  EXPECT_EQ(kept[1].values, inFile[1].values);
+}
+
 TEST(MeshRecord, AMeshThatIsNotExactIsTold)
 {
   const TestFolder folder;

@@ -34,10 +34,9 @@ runConvertCommand(const ConvertCommandOptions & options)
   const HexMesh     mesh = latticeOf(file.mesh, options.input);
   HexMeshFields     fields;
   fields.scaledJacobian = scaledJacobiansOf(mesh);
-  const auto turn = turnOfLattice(options.input, file.meshArrays);
-  if (turn && turn->rotation && holdsNamedArrays(options.output))
+  if (holdsNamedArrays(options.output))
   {
-    fields.meshArrays = latticeTurnArrays(*turn->rotation);
+    fields.meshArrays = recordOf(options.input, file.meshArrays);
   }
   writeHexMesh(options.output, mesh, fields, writerOptions(options));
   for (const std::string & warning : file.warnings)
