@@ -9,18 +9,17 @@ namespace moserhex::app
 {
 namespace
 {
-using Column = std::vector<std::optional<double>>;
-
 constexpr double level = 0.05;
 
 /** Subjects without a missing value. */
 std::vector<std::size_t>
-completeSubjects(const std::vector<Column> & columns)
+completeSubjects(const std::vector<NumberColumn> & columns)
 {
   std::vector<std::size_t> complete;
   for (std::size_t subject = 0; subject < columns.front().size(); ++subject)
   {
-    if (std::all_of(columns.begin(), columns.end(), [&](const Column & column) { return column[subject].has_value(); }))
+    if (std::all_of(
+          columns.begin(), columns.end(), [&](const NumberColumn & column) { return column[subject].has_value(); }))
     {
       complete.push_back(subject);
     }
@@ -30,7 +29,7 @@ completeSubjects(const std::vector<Column> & columns)
 
 /** The first column is the effect, of groups their numbers. \param groups  how many; 0: a regression */
 LinearDesign
-designOf(const std::vector<Column> & columns, const std::vector<std::size_t> & subjects, std::size_t groups)
+designOf(const std::vector<NumberColumn> & columns, const std::vector<std::size_t> & subjects, std::size_t groups)
 {
   const auto      rows = static_cast<Eigen::Index>(subjects.size());
   Eigen::MatrixXd values(rows, static_cast<Eigen::Index>(columns.size()));
@@ -49,32 +48,9 @@ designOf(const std::vector<Column> & columns, const std::vector<std::size_t> & s
   return design;
 }
 
-/** \param effect  of the column that is tested */
-AtlasTest
-runTest(AtlasTest             test,
-        const Column &        effect,
-        const AtlasSubjects & subjects,
-        const SubjectTable &  aligned,
-        const AtlasOptions &  options)
+void
+requireNoGroupEmpty(const AtlasTest & test)
 {
-  std::vector<Column> columns{ effect };
-  for (const std::string & covariate : options.covariates)
-  {
-    if (covariate != test.column)
-    {
-      columns.push_back(numbersOfColumn(subjects, covariate));
-      test.covariates.push_back(covariate);
-    }
-  }
-  test.subjects = completeSubjects(columns);
-  test.groupSizes.assign(test.groups.size(), 0);
-  if (!test.groups.empty())
-  {
-    for (const std::size_t subject : test.subjects)
-    {
-      ++test.groupSizes[static_cast<std::size_t>(*effect[subject])];
-    }
-  }
   const auto empty = std::find(test.groupSizes.begin(), test.groupSizes.end(), std::size_t{ 0 });
   if (empty != test.groupSizes.end())
   {
@@ -84,20 +60,65 @@ runTest(AtlasTest             test,
                      " has all the values",
                    "fill in the covariates or leave some out");
   }
-  const LinearDesign design = designOf(columns, test.subjects, test.groups.size());
-  PermutationOptions permutation;
-  permutation.permutations = options.permutations;
-  permutation.seed = options.seed;
-  permutation.threads = options.threads;
+}
+
+/** \param test  its name, column and groups \param effect  of the column that is tested */
+PlannedTest
+planTest(AtlasTest test, const NumberColumn & effect, const AtlasSubjects & subjects, const AtlasOptions & options)
+{
+  PlannedTest               planned{ std::move(test), {}, {} };
+  AtlasTest &               plan = planned.test;
+  std::vector<NumberColumn> columns{ effect };
+  for (const std::string & covariate : options.covariates)
+  {
+    if (covariate != plan.column)
+    {
+      const auto more = covariatesOfColumn(subjects, covariate);
+      columns.insert(columns.end(), more.begin(), more.end());
+      planned.covariateOf.insert(planned.covariateOf.end(), more.size(), plan.covariates.size());
+      plan.covariates.push_back(covariate);
+    }
+  }
+  plan.subjects = completeSubjects(columns);
+  plan.groupSizes.assign(plan.groups.size(), 0);
+  if (!plan.groups.empty())
+  {
+    for (const std::size_t subject : plan.subjects)
+    {
+      ++plan.groupSizes[static_cast<std::size_t>(*effect[subject])];
+    }
+  }
+  requireNoGroupEmpty(plan);
+  planned.design = designOf(columns, plan.subjects, plan.groups.size());
   try
   {
-    test.result = permutationTest(ChosenSubjects(aligned, test.subjects), design, permutation);
+    requireTestable(planned.design);
   }
   catch (const InvalidInput & error)
   {
-    throw BadInput(error.code(), test.column, error.what(), "give more subjects or fewer covariates");
+    throw BadInput(error.code(), plan.column, error.what(), "give more subjects or fewer covariates");
   }
-  return test;
+  return planned;
+}
+
+/** Covariates of which every column was left out. */
+std::vector<std::string>
+covariatesLeftOut(const PlannedTest & planned, const std::vector<std::size_t> & columnsLeftOut)
+{
+  std::vector<std::string> names;
+  for (std::size_t covariate = 0; covariate < planned.test.covariates.size(); ++covariate)
+  {
+    const auto isOfIt = [&](std::size_t owner) { return owner == covariate; };
+    const auto all = std::count_if(planned.covariateOf.begin(), planned.covariateOf.end(), isOfIt);
+    const auto left = std::count_if(columnsLeftOut.begin(), columnsLeftOut.end(), [&](std::size_t column) {
+      return isOfIt(planned.covariateOf[column]);
+    });
+    if (left == all)
+    {
+      names.push_back(planned.test.covariates[covariate]);
+    }
+  }
+  return names;
 }
 
 } // namespace
@@ -152,10 +173,10 @@ nodesAtLevel(const Eigen::VectorXd & p)
   return (p.array() <= level).count();
 }
 
-std::vector<AtlasTest>
-runAtlasTests(const AtlasSubjects & subjects, const SubjectTable & aligned, const AtlasOptions & options)
+std::vector<PlannedTest>
+planAtlasTests(const AtlasSubjects & subjects, const AtlasOptions & options)
 {
-  std::vector<AtlasTest> tests;
+  std::vector<PlannedTest> tests;
   if (!options.group.empty())
   {
     const GroupColumn column = groupsOfColumn(subjects, options.group);
@@ -163,16 +184,29 @@ runAtlasTests(const AtlasSubjects & subjects, const SubjectTable & aligned, cons
     test.name = "group";
     test.column = options.group;
     test.groups = column.names;
-    tests.push_back(runTest(test, column.numbers, subjects, aligned, options));
+    tests.push_back(planTest(test, column.numbers, subjects, options));
   }
   if (!options.regressor.empty())
   {
     AtlasTest test;
     test.name = "regression";
     test.column = options.regressor;
-    tests.push_back(runTest(test, numbersOfColumn(subjects, options.regressor), subjects, aligned, options));
+    tests.push_back(planTest(test, numbersOfColumn(subjects, options.regressor), subjects, options));
   }
   return tests;
+}
+
+AtlasTest
+runAtlasTest(const PlannedTest & planned, const SubjectTable & aligned, const AtlasOptions & options)
+{
+  AtlasTest          test = planned.test;
+  PermutationOptions permutation;
+  permutation.permutations = options.permutations;
+  permutation.seed = options.seed;
+  permutation.threads = options.threads;
+  test.result = permutationTest(ChosenSubjects(aligned, test.subjects), planned.design, permutation);
+  test.covariatesLeftOut = covariatesLeftOut(planned, test.result.nuisanceLeftOut);
+  return test;
 }
 
 } // namespace moserhex::app

@@ -16,6 +16,7 @@ struct AtlasTest
   std::string              name; ///< "group" or "regression": also of the files
   std::string              column;
   std::vector<std::string> covariates;
+  std::vector<std::string> covariatesLeftOut; ///< of these, that are constant or explained by those before them
   std::vector<std::string> groups; ///< names, of two the first is what the second is compared with; none: a regression
   std::vector<std::size_t> groupSizes; ///< as many
   std::vector<std::size_t> subjects;   ///< that have all the values
@@ -53,10 +54,22 @@ describe(const AtlasTest & test);
 [[nodiscard]] Eigen::Index
 nodesAtLevel(const Eigen::VectorXd & p);
 
+/** A test, of which all is known but the nodes. */
+struct PlannedTest
+{
+  AtlasTest                test;        ///< without a result
+  LinearDesign             design;      ///< of test.subjects
+  std::vector<std::size_t> covariateOf; ///< of each column of the nuisance
+};
+
 /** What the options ask for of the two: groups, then regression.
- * \param aligned  a row a subject: the coordinates of all nodes [mm]
- * \throws BadInput  as groupsOfColumn and numbersOfColumn; or the design cannot be tested, as permutationTest says */
-[[nodiscard]] std::vector<AtlasTest>
-runAtlasTests(const AtlasSubjects & subjects, const SubjectTable & aligned, const AtlasOptions & options);
+ * \throws BadInput  as groupsOfColumn and covariatesOfColumn; a group without subjects that have all the values; or the
+ * design cannot be tested, as requireTestable says */
+[[nodiscard]] std::vector<PlannedTest>
+planAtlasTests(const AtlasSubjects & subjects, const AtlasOptions & options);
+
+/** \param aligned  a row a subject: the coordinates of all nodes [mm] */
+[[nodiscard]] AtlasTest
+runAtlasTest(const PlannedTest & planned, const SubjectTable & aligned, const AtlasOptions & options);
 
 } // namespace moserhex::app

@@ -142,10 +142,13 @@ testJson(const AtlasTest & test)
 {
   nlohmann::ordered_json json{ { "column", test.column },
                                { "covariates", test.covariates },
+                               { "covariates_left_out", test.covariatesLeftOut },
                                { "subjects", test.subjects.size() },
                                { "statistic", test.hasManyGroups() ? "Pillai's trace" : "Hotelling's T^2" },
                                { "permutations", test.result.permutations },
+                               { "all_orders", test.result.areAllOrders },
                                { "exact", test.result.isExact },
+                               { "smallest_possible_p", test.result.smallestPossibleP },
                                { "degrees_of_freedom", test.result.degreesOfFreedom },
                                { "smallest_p", test.result.p.minCoeff() },
                                { "smallest_p_family_wise", test.result.pFamilyWise.minCoeff() },
