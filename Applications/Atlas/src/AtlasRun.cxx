@@ -129,6 +129,34 @@ meanMesh(const HexMesh & mean, const AtlasSubjects & subjects, unsigned int thre
   }
 }
 
+/** The tests, of the images' means over the cells; a warning where they cannot be made. */
+void
+testImages(AtlasResult & result, const AtlasOptions & options)
+{
+  if (!result.images || result.tests.empty())
+  {
+    return;
+  }
+  const MeanImage & images = *result.images;
+  if (!images.values)
+  {
+    result.warnings.push_back("images: not tested; that needs --image-sampling cells, and 1 to 3 numbers a voxel");
+    return;
+  }
+  try
+  {
+    const TestedPlaces places{ true, static_cast<std::size_t>(images.mean.components), images.isKnown };
+    for (const PlannedTest & test : planAtlasTests(result.subjects, options, places))
+    {
+      result.tests.push_back(runAtlasTest(test, *images.values, options));
+    }
+  }
+  catch (const BadInput & error)
+  {
+    result.warnings.push_back(std::string("images: not tested; ") + error.what());
+  }
+}
+
 /** Of tests that leave subjects or covariates out, of an alignment that did not end, of a mean that is not exact. */
 void
 addWarnings(AtlasResult & result)
@@ -200,6 +228,7 @@ analyse(const AtlasOptions & options, const std::function<void(double)> & progre
   {
     result.tests.push_back(runAtlasTest(test, *meshes.nodes, options));
   }
+  testImages(result, options);
   progress(1.0);
   addWarnings(result);
   return result;

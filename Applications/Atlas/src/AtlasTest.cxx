@@ -11,15 +11,17 @@ namespace
 {
 constexpr double level = 0.05;
 
-/** Subjects without a missing value. */
+/** Subjects without a missing value, of whom the places' numbers are known. */
 std::vector<std::size_t>
-completeSubjects(const std::vector<NumberColumn> & columns)
+completeSubjects(const std::vector<NumberColumn> & columns, const TestedPlaces & places)
 {
   std::vector<std::size_t> complete;
   for (std::size_t subject = 0; subject < columns.front().size(); ++subject)
   {
-    if (std::all_of(
-          columns.begin(), columns.end(), [&](const NumberColumn & column) { return column[subject].has_value(); }))
+    const bool isKnown = places.isKnown.empty() || places.isKnown[subject];
+    if (isKnown && std::all_of(columns.begin(), columns.end(), [&](const NumberColumn & column) {
+          return column[subject].has_value();
+        }))
     {
       complete.push_back(subject);
     }
@@ -64,10 +66,16 @@ requireNoGroupEmpty(const AtlasTest & test)
 
 /** \param test  its name, column and groups \param effect  of the column that is tested */
 PlannedTest
-planTest(AtlasTest test, const NumberColumn & effect, const AtlasSubjects & subjects, const AtlasOptions & options)
+planTest(AtlasTest             test,
+         const NumberColumn &  effect,
+         const AtlasSubjects & subjects,
+         const AtlasOptions &  options,
+         const TestedPlaces &  places)
 {
-  PlannedTest               planned{ std::move(test), {}, {} };
-  AtlasTest &               plan = planned.test;
+  PlannedTest planned{ std::move(test), {}, {}, places.components };
+  AtlasTest & plan = planned.test;
+  plan.name += places.areCells ? "_image" : "";
+  plan.areCells = places.areCells;
   std::vector<NumberColumn> columns{ effect };
   for (const std::string & covariate : options.covariates)
   {
@@ -79,7 +87,7 @@ planTest(AtlasTest test, const NumberColumn & effect, const AtlasSubjects & subj
       plan.covariates.push_back(covariate);
     }
   }
-  plan.subjects = completeSubjects(columns);
+  plan.subjects = completeSubjects(columns, places);
   plan.groupSizes.assign(plan.groups.size(), 0);
   if (!plan.groups.empty())
   {
@@ -92,7 +100,7 @@ planTest(AtlasTest test, const NumberColumn & effect, const AtlasSubjects & subj
   planned.design = designOf(columns, plan.subjects, plan.groups.size());
   try
   {
-    requireTestable(planned.design);
+    requireTestable(planned.design, places.components);
   }
   catch (const InvalidInput & error)
   {
@@ -133,15 +141,15 @@ effectSizes(const AtlasTest & test)
   return test.groups.empty() ? test.result.partialCorrelation : test.result.standardisedDifference;
 }
 
-std::vector<NodeChange>
+std::vector<PlaceChange>
 changesOf(const AtlasTest & test)
 {
   if (!test.hasManyGroups())
   {
     return { { test.groups.empty() ? "Slope" : "Difference", "", test.result.slope } };
   }
-  std::vector<NodeChange> changes;
-  const auto              displacements = groupDisplacements(test.result.slope, test.groupSizes);
+  std::vector<PlaceChange> changes;
+  const auto               displacements = groupDisplacements(test.result.slope, test.groupSizes);
   for (std::size_t group = 0; group < test.groups.size(); ++group)
   {
     changes.push_back({ "Difference_" + test.groups[group], test.groups[group], displacements[group] });
@@ -155,26 +163,43 @@ describe(const AtlasTest & test)
   const auto group = [&test](std::size_t number) {
     return test.groups[number] + " (" + std::to_string(test.groupSizes[number]) + ")";
   };
+  const std::string images = test.areCells ? ", images" : "";
   if (test.groups.size() == 2)
   {
-    return test.column + ", " + group(1) + " against " + group(0);
+    return test.column + ", " + group(1) + " against " + group(0) + images;
   }
   std::string text = test.column;
   for (std::size_t number = 0; number < test.groups.size(); ++number)
   {
     text += ", " + group(number);
   }
-  return text;
+  return text + images;
+}
+
+const char *
+placesOf(const AtlasTest & test)
+{
+  return test.areCells ? "cells" : "nodes";
+}
+
+const char *
+unitOf(const AtlasTest & test)
+{
+  if (test.groups.empty())
+  {
+    return test.areCells ? " (per unit)" : " (mm per unit)";
+  }
+  return test.areCells ? "" : " (mm)";
 }
 
 Eigen::Index
-nodesAtLevel(const Eigen::VectorXd & p)
+placesAtLevel(const Eigen::VectorXd & p)
 {
   return (p.array() <= level).count();
 }
 
 std::vector<PlannedTest>
-planAtlasTests(const AtlasSubjects & subjects, const AtlasOptions & options)
+planAtlasTests(const AtlasSubjects & subjects, const AtlasOptions & options, const TestedPlaces & places)
 {
   std::vector<PlannedTest> tests;
   if (!options.group.empty())
@@ -184,27 +209,28 @@ planAtlasTests(const AtlasSubjects & subjects, const AtlasOptions & options)
     test.name = "group";
     test.column = options.group;
     test.groups = column.names;
-    tests.push_back(planTest(test, column.numbers, subjects, options));
+    tests.push_back(planTest(test, column.numbers, subjects, options, places));
   }
   if (!options.regressor.empty())
   {
     AtlasTest test;
     test.name = "regression";
     test.column = options.regressor;
-    tests.push_back(planTest(test, numbersOfColumn(subjects, options.regressor), subjects, options));
+    tests.push_back(planTest(test, numbersOfColumn(subjects, options.regressor), subjects, options, places));
   }
   return tests;
 }
 
 AtlasTest
-runAtlasTest(const PlannedTest & planned, const SubjectTable & aligned, const AtlasOptions & options)
+runAtlasTest(const PlannedTest & planned, const SubjectTable & values, const AtlasOptions & options)
 {
   AtlasTest          test = planned.test;
   PermutationOptions permutation;
   permutation.permutations = options.permutations;
   permutation.seed = options.seed;
   permutation.threads = options.threads;
-  test.result = permutationTest(ChosenSubjects(aligned, test.subjects), planned.design, permutation);
+  permutation.componentsPerPlace = planned.components;
+  test.result = permutationTest(ChosenSubjects(values, test.subjects), planned.design, permutation);
   test.covariatesLeftOut = covariatesLeftOut(planned, test.result.nuisanceLeftOut);
   return test;
 }

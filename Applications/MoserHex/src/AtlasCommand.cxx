@@ -73,7 +73,7 @@ void
 printTest(const AtlasTest & test)
 {
   const PermutationResult & result = test.result;
-  std::printf("%-11s %s: %zu %s, smallest family-wise p %.4g of at least %.4g; %td of %td nodes at 0.05, %td by false "
+  std::printf("%-11s %s: %zu %s, smallest family-wise p %.4g of at least %.4g; %td of %td %s at 0.05, %td by false "
               "discovery\n",
               test.name.c_str(),
               describe(test).c_str(),
@@ -81,9 +81,10 @@ printTest(const AtlasTest & test)
               result.areAllOrders ? "orders, all there are" : "permutations",
               result.pFamilyWise.minCoeff(),
               result.smallestPossibleP,
-              nodesAtLevel(result.pFamilyWise),
+              placesAtLevel(result.pFamilyWise),
               result.p.size(),
-              nodesAtLevel(result.qFalseDiscovery));
+              placesOf(test),
+              placesAtLevel(result.qFalseDiscovery));
 }
 
 void
