@@ -80,18 +80,47 @@ inMiddleOfCells(const std::string & id, const std::string & name, const HexMesh 
   return fieldOf(id, name, values);
 }
 
-void
-addTest(const AtlasTest & test, const HexMesh & mesh, std::vector<CellField> & fields)
+std::vector<double>
+listOf(const Eigen::VectorXd & values)
 {
-  const std::string unit = test.groups.empty() ? " (mm per unit)" : " (mm)";
-  std::size_t       number = 0;
-  for (const NodeChange & change : changesOf(test))
+  return { values.data(), values.data() + values.size() };
+}
+
+/** Of images: what the test says of the cells as it is. */
+void
+addCellTest(const AtlasTest & test, std::vector<CellField> & fields)
+{
+  std::size_t number = 0;
+  for (const PlaceChange & change : changesOf(test))
+  {
+    const bool isSigned = change.values.rows() == 1;
+    fields.push_back(fieldOf(test.name + "-change-" + std::to_string(number++),
+                             test.column + ": change of the image" +
+                               (change.group.empty() ? "" : " of " + change.group) + unitOf(test),
+                             listOf(isSigned ? Eigen::VectorXd(change.values.row(0).transpose())
+                                             : Eigen::VectorXd(change.values.colwise().norm().transpose()))));
+  }
+  fields.push_back(
+    fieldOf(test.name + "-effect", test.column + ": effect size in the image", listOf(effectSizes(test))));
+  fields.push_back({ test.name + "-p",
+                     test.column + ": family-wise p in the image",
+                     "",
+                     listOf(test.result.pFamilyWise),
+                     {},
+                     { 0.0, 1.0 } });
+}
+
+void
+addNodeTest(const AtlasTest & test, const HexMesh & mesh, std::vector<CellField> & fields)
+{
+  std::size_t number = 0;
+  for (const PlaceChange & change : changesOf(test))
   {
     fields.push_back(
       meanOverNodes(test.name + "-change-" + std::to_string(number++),
-                    test.column + ": change" + (change.group.empty() ? "" : " of " + change.group) + unit,
+                    test.column + ": change" + (change.group.empty() ? "" : " of " + change.group) + unitOf(test),
                     mesh,
-                    [&change](Eigen::Index node) { return change.moves.col(node).norm(); }));
+                    [&change](Eigen::Index node) { return change.values.col(node).norm(); }));
   }
   const Eigen::VectorXd effects = effectSizes(test);
   fields.push_back(
@@ -118,7 +147,14 @@ atlasCellFields(const AtlasResult & result)
   }
   for (const AtlasTest & test : result.tests)
   {
-    addTest(test, mesh, fields);
+    if (test.areCells)
+    {
+      addCellTest(test, fields);
+    }
+    else
+    {
+      addNodeTest(test, mesh, fields);
+    }
   }
   return fields;
 }

@@ -6,6 +6,7 @@
 #include "PageName.h"
 #include "TransferFiles.h"
 #include "Version.h"
+#include "moserhex/Common/Errors.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/LabelImageWriter.h"
@@ -57,11 +58,21 @@ writeCubeImages(const MeanImage & images, const AtlasOptions & options)
   writeFieldImage(inFolder(options, "sd_image_cube.nrrd"), images.deviation);
 }
 
-/** The mean's labelmap and, on its voxels, the mean image. */
+/** The mean's labelmap and, on its voxels, the mean image; a warning where the mean has no such labelmap. */
 void
-writeTemplate(const AtlasResult & result, const AtlasOptions & options)
+writeTemplate(AtlasResult & result, const AtlasOptions & options)
 {
-  const LabelVolume labels = voxelised(result.mean.mesh, options.labelSpacing, options.threads);
+  LabelVolume labels;
+  try
+  {
+    labels = voxelised(result.mean.mesh, options.labelSpacing, options.threads);
+  }
+  catch (const InvalidInput & error)
+  {
+    result.warnings.push_back("template.nrrd is not written: " + std::string(error.what()) +
+                              "; change --label-spacing");
+    return;
+  }
   writeLabelImage(inFolder(options, "template.nrrd"), labels);
   if (result.images)
   {
@@ -214,16 +225,12 @@ writeScores(const std::string &                 fileName,
 }
 
 void
-writeAtlas(const AtlasResult & result, const AtlasOptions & options)
+writeAtlas(AtlasResult & result, const AtlasOptions & options)
 {
   writeMean(result, options);
   if (result.images)
   {
     writeCubeImages(*result.images, options);
-  }
-  if (options.labelSpacing > 0.0 && result.model.paddingLayers == 0)
-  {
-    writeTemplate(result, options);
   }
   writeScores(inFolder(options, "scores.csv"),
               result.subjects,
@@ -236,6 +243,10 @@ writeAtlas(const AtlasResult & result, const AtlasOptions & options)
   for (const AtlasTest & test : result.tests)
   {
     writeAtlasTest(options.outputFolder, test, result.mean.mesh);
+  }
+  if (options.labelSpacing > 0.0 && result.model.paddingLayers == 0)
+  {
+    writeTemplate(result, options);
   }
   writeSummary(result, options);
   if (pagesAreBuilt())

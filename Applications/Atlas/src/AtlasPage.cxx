@@ -72,17 +72,17 @@ modelSection(const AtlasResult & result)
                    "possible shape; the file's name says plus3 or minus3 all the same.</p>\n");
 }
 
-/** The farthest that a node moved, of each change. */
+/** Of each change the largest, of nodes the farthest that one moved. */
 std::string
 largestChanges(const AtlasTest & test)
 {
   std::string text;
-  for (const NodeChange & change : changesOf(test))
+  for (const PlaceChange & change : changesOf(test))
   {
     text += (text.empty() ? "" : ", ") + (change.group.empty() ? "" : escapeHtml(change.group) + " ") +
-            shortNumber(change.moves.colwise().norm().maxCoeff());
+            shortNumber(change.values.colwise().norm().maxCoeff());
   }
-  return text + (test.groups.empty() ? " mm per unit" : " mm");
+  return text + (test.areCells ? "" : " mm") + (test.groups.empty() ? " per unit" : "");
 }
 
 std::string
@@ -99,10 +99,11 @@ testsSection(const AtlasResult & result)
     rows.push_back({ escapeHtml(describe(test)),
                      std::to_string(test.subjects.size()),
                      covariates.empty() ? "none" : covariates,
-                     std::to_string(test.result.permutations) + (test.result.isExact ? ", all orders" : ""),
+                     std::to_string(test.result.permutations) + (test.result.areAllOrders ? ", all orders" : ""),
                      shortNumber(test.result.pFamilyWise.minCoeff()),
-                     std::to_string(nodesAtLevel(test.result.pFamilyWise)),
-                     std::to_string(nodesAtLevel(test.result.qFalseDiscovery)),
+                     shortNumber(test.result.smallestPossibleP),
+                     std::to_string(placesAtLevel(test.result.pFamilyWise)),
+                     std::to_string(placesAtLevel(test.result.qFalseDiscovery)),
                      shortNumber(effectSizes(test).maxCoeff()),
                      largestChanges(test) });
   }
@@ -111,7 +112,7 @@ testsSection(const AtlasResult & result)
     return "";
   }
   return section("tests",
-                 "Tests at every node",
+                 "Tests at every place",
                  "<p>Where it is, the picture in three dimensions shows: colour it by family-wise p, effect size or "
                  "change.</p>\n" +
                    tableText("Report the family-wise p",
@@ -120,8 +121,9 @@ testsSection(const AtlasResult & result)
                                "Covariates",
                                "Permutations",
                                "Smallest p, family-wise",
-                               "Nodes at 0.05, family-wise",
-                               "Nodes at 0.05, false discovery",
+                               "Smallest p that can be",
+                               "Nodes or cells at 0.05, family-wise",
+                               "Nodes or cells at 0.05, false discovery",
                                "Largest effect size",
                                "Largest change" },
                              rows));

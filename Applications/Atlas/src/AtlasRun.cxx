@@ -1,5 +1,6 @@
 #include "AtlasRun.h"
 
+#include "EarlierAtlas.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
@@ -15,33 +16,43 @@ requireEnough(const AtlasSubjects & subjects)
 {
   if (subjects.subjects.size() < 2)
   {
-    throw BadInput(ErrorCode::Precondition,
-                   subjects.subjects.empty() ? "atlas" : subjects.subjects.front().mesh,
-                   std::to_string(subjects.subjects.size()) + " subjects, need at least 2",
-                   "give more meshes");
+    throw BadInput(
+      ErrorCode::Precondition, subjects.subjects.front().mesh, "one subject, need at least 2", "give more meshes");
   }
 }
 
-/** Finds a column that is not there before any work is done. */
+/** Finds inputs that the output would replace. */
 void
-requireColumns(const AtlasSubjects & subjects, const AtlasOptions & options)
+requireInputsStay(const AtlasSubjects & subjects, const AtlasOptions & options)
 {
-  if (!options.group.empty())
+  std::vector<std::string> files = options.inputs;
+  for (const AtlasSubject & subject : subjects.subjects)
   {
-    (void)groupsOfColumn(subjects, options.group);
-  }
-  std::vector<std::string> numbers = options.covariates;
-  if (!options.regressor.empty())
-  {
-    numbers.push_back(options.regressor);
-  }
-  for (const std::string & column : numbers)
-  {
-    (void)numbersOfColumn(subjects, column);
+    files.push_back(subject.mesh);
   }
   if (!options.images.empty())
   {
-    requireImages(subjects, options);
+    for (const std::optional<std::string> & image : filesOfColumn(subjects, options.images))
+    {
+      if (image)
+      {
+        files.push_back(*image);
+      }
+    }
+  }
+  requireNotOverwritten(files, options.outputFolder);
+}
+
+/** A mesh of fewer nodes cannot be made exact. */
+void
+requireInnerNodes(const AtlasSubjects & subjects, const SubjectMeshes & meshes)
+{
+  if (meshes.nodesPerSide < 3)
+  {
+    throw BadInput(ErrorCode::Precondition,
+                   subjects.subjects.front().mesh,
+                   std::to_string(meshes.nodesPerSide) + " nodes a side, need at least 3",
+                   "mesh with more shells");
   }
 }
 
@@ -101,7 +112,52 @@ fitModel(AtlasResult & result, const SubjectFile & aligned, const AtlasOptions &
   }
 }
 
-/** Of tests that leave subjects out, of an alignment that did not end, of a mean that is not exact. */
+/** \throws BadInput  the mean is no solid, so that there is no mesh of it */
+EqualVolumeShape
+meanMesh(const HexMesh & mean, const AtlasSubjects & subjects, unsigned int threads)
+{
+  try
+  {
+    return equalVolumeShape(mean, { EqualVolumeWay::Free, threads });
+  }
+  catch (const InvalidInput & error)
+  {
+    throw BadInput(error.code(),
+                   subjects.subjects.front().mesh,
+                   std::string("the subjects' mean is no solid (") + error.what() + ")",
+                   "do they lie alike? use --align rigid");
+  }
+}
+
+/** The tests, of the images' means over the cells; a warning where they cannot be made. */
+void
+testImages(AtlasResult & result, const AtlasOptions & options)
+{
+  if (!result.images || result.tests.empty())
+  {
+    return;
+  }
+  const MeanImage & images = *result.images;
+  if (!images.values)
+  {
+    result.warnings.push_back("images: not tested; that needs --image-sampling cells, and 1 to 3 numbers a voxel");
+    return;
+  }
+  try
+  {
+    const TestedPlaces places{ true, static_cast<std::size_t>(images.mean.components), images.isKnown };
+    for (const PlannedTest & test : planAtlasTests(result.subjects, options, places))
+    {
+      result.tests.push_back(runAtlasTest(test, *images.values, options));
+    }
+  }
+  catch (const BadInput & error)
+  {
+    result.warnings.push_back(std::string("images: not tested; ") + error.what());
+  }
+}
+
+/** Of tests that leave subjects or covariates out, of an alignment that did not end, of a mean that is not exact. */
 void
 addWarnings(AtlasResult & result)
 {
@@ -115,6 +171,11 @@ addWarnings(AtlasResult & result)
     if (left > 0)
     {
       result.warnings.push_back(test.name + ": " + std::to_string(left) + " subjects without a value are left out");
+    }
+    for (const std::string & covariate : test.covariatesLeftOut)
+    {
+      result.warnings.push_back(test.name + ": the covariate " + covariate +
+                                " is left out: it is constant, or follows from those before it");
     }
   }
   for (const std::string & shortcoming : result.mean.shortcomings)
@@ -131,11 +192,18 @@ analyse(const AtlasOptions & options, const std::function<void(double)> & progre
   AtlasResult result;
   result.subjects = listAtlasSubjects(options.inputs, options.outputFolder);
   requireEnough(result.subjects);
-  requireColumns(result.subjects, options);
+  const std::vector<PlannedTest> tests = planAtlasTests(result.subjects, options);
+  if (!options.images.empty())
+  {
+    requireImages(result.subjects, options);
+  }
+  requireInputsStay(result.subjects, options);
   SubjectMeshes meshes =
     readSubjectMeshes(result.subjects, options, [&](double fraction) { progress(0.3 * fraction); });
+  requireInnerNodes(result.subjects, meshes);
   result.figures = meshes.figures;
-  result.warnings = meshes.warnings;
+  result.warnings = result.subjects.warnings;
+  result.warnings.insert(result.warnings.end(), meshes.warnings.begin(), meshes.warnings.end());
 
   if (!options.images.empty())
   {
@@ -154,10 +222,13 @@ analyse(const AtlasOptions & options, const std::function<void(double)> & progre
   result.model.subjects = meshes.nodes->subjects();
   result.covariances = pointCovariances(*meshes.nodes, options.threads);
   progress(0.6);
-  result.mean =
-    equalVolumeShape(meshOf(result.model, result.model.shape.mean), { EqualVolumeWay::Free, options.threads });
+  result.mean = meanMesh(meshOf(result.model, result.model.shape.mean), result.subjects, options.threads);
   progress(0.7);
-  result.tests = runAtlasTests(result.subjects, *meshes.nodes, options);
+  for (const PlannedTest & test : tests)
+  {
+    result.tests.push_back(runAtlasTest(test, *meshes.nodes, options));
+  }
+  testImages(result, options);
   progress(1.0);
   addWarnings(result);
   return result;

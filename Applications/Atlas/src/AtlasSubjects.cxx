@@ -1,15 +1,14 @@
 #include "AtlasSubjects.h"
 
 #include "CommandErrors.h"
+#include "EarlierAtlas.h"
 #include "SameFile.h"
+#include "TableCells.h"
 #include "moserhex/HexMeshIO/HexCellReader.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <set>
 
 namespace moserhex::app
@@ -33,11 +32,12 @@ isHidden(const fs::path & path)
   return path.filename().string().front() == '.';
 }
 
-/** The meshes of a folder and of those below it, sorted by their paths. */
+/** The meshes of a folder and of those below it, sorted by their paths. \param warnings  of folders left out */
 std::vector<fs::path>
-meshesBelow(const std::string & folder, const std::string & outputFolder)
+meshesBelow(const std::string & folder, const std::string & outputFolder, std::vector<std::string> & warnings)
 {
   std::vector<fs::path> meshes;
+  std::vector<fs::path> atlases;
   std::error_code       error;
   auto                  entry = fs::recursive_directory_iterator(folder, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
@@ -49,6 +49,11 @@ meshesBelow(const std::string & folder, const std::string & outputFolder)
       if (isHidden(path) || sameFile(path.string(), outputFolder))
       {
         entry.disable_recursion_pending();
+      }
+      else if (holdsAtlas(path.string()))
+      {
+        entry.disable_recursion_pending();
+        atlases.push_back(path);
       }
     }
     else if (!isHidden(path) && isHexCellName(path.string()))
@@ -65,6 +70,11 @@ meshesBelow(const std::string & folder, const std::string & outputFolder)
     throw BadInput(ErrorCode::NoInput, folder, "no mesh in the folder", "give meshes, .vtu .vtk .msh .mesh .inp");
   }
   std::sort(meshes.begin(), meshes.end());
+  std::sort(atlases.begin(), atlases.end());
+  for (const fs::path & atlas : atlases)
+  {
+    warnings.push_back(fileMessage(atlas.string(), "an atlas, whose meshes are no subjects", "it is left out"));
+  }
   return meshes;
 }
 
@@ -83,13 +93,6 @@ addMesh(AtlasSubjects & subjects, const fs::path & mesh, const std::string & nam
   subjects.subjects.push_back({ isTaken ? withoutEnding(mesh) : name, mesh.string() });
 }
 
-std::size_t
-columnNumber(const TextTable & table, const std::string & column)
-{
-  return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), column) -
-                                  table.columns.begin());
-}
-
 void
 addTable(AtlasSubjects & subjects, const std::string & fileName)
 {
@@ -105,13 +108,27 @@ addTable(AtlasSubjects & subjects, const std::string & fileName)
   for (const TextTable::Row & row : table.rows)
   {
     const std::string & mesh = row.cells[meshColumn];
-    if (mesh.empty())
+    if (isMissing(mesh))
     {
       throw BadInput(ErrorCode::Format, fileName, "no mesh in line " + std::to_string(row.line), "fill in or drop it");
     }
     const fs::path path = fs::path(subjects.tableFolder) / mesh;
-    const bool     isNamed = nameColumn < table.columns.size() && !row.cells[nameColumn].empty();
+    const bool     isNamed = nameColumn < table.columns.size() && !isMissing(row.cells[nameColumn]);
     subjects.subjects.push_back({ isNamed ? row.cells[nameColumn] : withoutEnding(mesh), path.string() });
+  }
+}
+
+void
+requireFolderOfSubjects(const std::string & folder, const std::string & outputFolder)
+{
+  if (sameFile(folder, outputFolder))
+  {
+    throw UsageError(fileMessage(folder, "an input and the output", "write to another folder"));
+  }
+  if (holdsAtlas(folder))
+  {
+    throw BadInput(
+      ErrorCode::NoInput, folder, "an atlas, whose meshes are no subjects", "give the folder of the subjects' meshes");
   }
 }
 
@@ -121,7 +138,8 @@ addInput(AtlasSubjects & subjects, const std::string & input, const std::string 
   std::error_code ignored;
   if (fs::is_directory(input, ignored))
   {
-    for (const fs::path & mesh : meshesBelow(input, outputFolder))
+    requireFolderOfSubjects(input, outputFolder);
+    for (const fs::path & mesh : meshesBelow(input, outputFolder, subjects.warnings))
     {
       addMesh(subjects, mesh, withoutEnding(mesh.lexically_relative(input)));
     }
@@ -150,64 +168,52 @@ requireUnique(const AtlasSubjects & subjects)
   }
 }
 
-bool
-isMissing(const std::string & cell)
+/** \throws BadInput  there is none */
+std::size_t
+requireColumn(const AtlasSubjects & subjects, const std::string & column)
 {
-  return cell.empty() || cell == "n/a";
-}
-
-std::optional<double>
-numberOf(const std::string & cell)
-{
-  double     value = 0.0;
-  const auto result = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  const bool isNumber = result.ec == std::errc() && result.ptr == cell.data() + cell.size() && std::isfinite(value);
-  return isNumber ? std::optional<double>(value) : std::nullopt;
-}
-
-std::vector<std::string>
-cellsOf(const AtlasSubjects & subjects, const std::string & column)
-{
-  const TextTable & table = subjects.table;
-  const std::size_t number = columnNumber(table, column);
-  if (number == table.columns.size())
+  const std::size_t number = columnNumber(subjects.table, column);
+  if (number == subjects.table.columns.size())
   {
     throw BadInput(ErrorCode::Format,
                    column,
                    "no such column",
-                   table.columns.empty() ? "give a table (.csv .tsv) with it and a column mesh"
-                                         : "name one of the table's columns");
+                   subjects.table.columns.empty() ? "give a table (.csv .tsv) with it and a column mesh"
+                                                  : "name one of the table's columns");
   }
-  std::vector<std::string> cells;
+  return number;
+}
+
+/** Of a column's words, or of its numbers, however they are written. */
+GroupColumn
+groupsIn(const TextTable & table, std::size_t number)
+{
+  const auto nameOf = [number](const TextTable::Row & row) {
+    const std::optional<double> value = numberOf(row.cells[number]);
+    return value ? numberText(*value + 0.0) : row.cells[number]; // of -0, 0
+  };
+  std::set<std::string> different;
   for (const TextTable::Row & row : table.rows)
   {
-    cells.push_back(row.cells[number]);
+    if (!isMissing(row.cells[number]))
+    {
+      different.insert(nameOf(row));
+    }
   }
-  return cells;
-}
-
-bool
-areNumbers(const std::vector<std::string> & cells)
-{
-  return std::all_of(cells.begin(), cells.end(), [](const std::string & cell) { return numberOf(cell).has_value(); });
-}
-
-/** Different cells that are not missing, ascending: as numbers where all are numbers, else in the alphabet. */
-std::vector<std::string>
-differentCells(const std::vector<std::string> & cells)
-{
-  std::set<std::string> different;
-  std::copy_if(cells.begin(), cells.end(), std::inserter(different, different.end()), [](const std::string & cell) {
-    return !isMissing(cell);
-  });
-  std::vector<std::string> values(different.begin(), different.end());
-  if (areNumbers(values))
+  GroupColumn groups{ {}, { different.begin(), different.end() } };
+  if (kindOfColumn(table, number) == CellKind::Numbers)
   {
-    std::sort(values.begin(), values.end(), [](const std::string & a, const std::string & b) {
+    std::sort(groups.names.begin(), groups.names.end(), [](const std::string & a, const std::string & b) {
       return *numberOf(a) < *numberOf(b);
     });
   }
-  return values;
+  for (const TextTable::Row & row : table.rows)
+  {
+    const auto place = std::find(groups.names.begin(), groups.names.end(), nameOf(row)) - groups.names.begin();
+    groups.numbers.push_back(isMissing(row.cells[number]) ? std::nullopt
+                                                          : std::optional<double>(static_cast<double>(place)));
+  }
+  return groups;
 }
 
 } // namespace
@@ -231,6 +237,13 @@ listAtlasSubjects(const std::vector<std::string> & inputs, const std::string & o
       addInput(subjects, input, outputFolder);
     }
   }
+  if (subjects.subjects.empty())
+  {
+    throw BadInput(ErrorCode::Empty,
+                   inputs.empty() ? "atlas" : inputs.front(),
+                   "no subject",
+                   "give the table a row for each of them");
+  }
   requireUnique(subjects);
   return subjects;
 }
@@ -238,33 +251,46 @@ listAtlasSubjects(const std::vector<std::string> & inputs, const std::string & o
 std::vector<std::optional<double>>
 numbersOfColumn(const AtlasSubjects & subjects, const std::string & column)
 {
-  const auto cells = cellsOf(subjects, column);
-  const auto different = differentCells(cells);
-  if (!areNumbers(different))
+  const std::vector<NumberColumn> columns = covariatesOfColumn(subjects, column);
+  if (columns.size() > 1)
   {
-    if (different.size() != 2)
+    throw BadInput(ErrorCode::Format,
+                   column,
+                   std::to_string(columns.size() + 1) + " different values in the column, need 2 words or numbers",
+                   "choose another column or code it");
+  }
+  return columns.front();
+}
+
+std::vector<NumberColumn>
+covariatesOfColumn(const AtlasSubjects & subjects, const std::string & column)
+{
+  const std::size_t number = requireColumn(subjects, column);
+  if (kindOfColumn(subjects.table, number) == CellKind::Numbers)
+  {
+    return { numbersIn(subjects.table, number) };
+  }
+  requirePlainWords(subjects.table, number);
+  const GroupColumn         words = groupsIn(subjects.table, number);
+  std::vector<NumberColumn> columns(std::max<std::size_t>(2, words.names.size()) - 1, words.numbers);
+  for (std::size_t word = 1; word <= columns.size(); ++word)
+  {
+    for (std::optional<double> & value : columns[word - 1])
     {
-      throw BadInput(ErrorCode::Format,
-                     column,
-                     std::to_string(different.size()) + " different values in the column, need 2 words or numbers",
-                     "choose another column or code it");
+      value = value ? std::optional<double>(*value == static_cast<double>(word) ? 1.0 : 0.0) : std::nullopt;
     }
-    return groupsOfColumn(subjects, column).numbers;
   }
-  std::vector<std::optional<double>> numbers;
-  for (const std::string & cell : cells)
-  {
-    numbers.push_back(isMissing(cell) ? std::nullopt : numberOf(cell));
-  }
-  return numbers;
+  return columns;
 }
 
 std::vector<std::optional<std::string>>
 filesOfColumn(const AtlasSubjects & subjects, const std::string & column)
 {
+  const std::size_t                       number = requireColumn(subjects, column);
   std::vector<std::optional<std::string>> files;
-  for (const std::string & cell : cellsOf(subjects, column))
+  for (const TextTable::Row & row : subjects.table.rows)
   {
+    const std::string & cell = row.cells[number];
     files.push_back(isMissing(cell) ? std::nullopt
                                     : std::optional<std::string>((fs::path(subjects.tableFolder) / cell).string()));
   }
@@ -274,21 +300,16 @@ filesOfColumn(const AtlasSubjects & subjects, const std::string & column)
 GroupColumn
 groupsOfColumn(const AtlasSubjects & subjects, const std::string & column)
 {
-  const auto  cells = cellsOf(subjects, column);
-  GroupColumn groups{ {}, differentCells(cells) };
-  if (groups.names.size() < 2 || (groups.names.size() > 2 && areNumbers(groups.names)))
+  const std::size_t number = requireColumn(subjects, column);
+  const bool        areNumbers = kindOfColumn(subjects.table, number) == CellKind::Numbers;
+  GroupColumn       groups = groupsIn(subjects.table, number);
+  if (groups.names.size() < 2 || (groups.names.size() > 2 && areNumbers))
   {
     throw BadInput(ErrorCode::Format,
                    column,
-                   std::to_string(groups.names.size()) + " different " +
-                     (areNumbers(groups.names) ? "numbers" : "values") +
+                   std::to_string(groups.names.size()) + " different " + (areNumbers ? "numbers" : "values") +
                      " in the column, need two groups, or more that are words",
                    "choose another column, write the groups as words, or use --regress");
-  }
-  for (const std::string & cell : cells)
-  {
-    const auto place = std::find(groups.names.begin(), groups.names.end(), cell) - groups.names.begin();
-    groups.numbers.push_back(isMissing(cell) ? std::nullopt : std::optional<double>(static_cast<double>(place)));
   }
   return groups;
 }

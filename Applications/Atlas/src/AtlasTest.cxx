@@ -9,18 +9,19 @@ namespace moserhex::app
 {
 namespace
 {
-using Column = std::vector<std::optional<double>>;
-
 constexpr double level = 0.05;
 
-/** Subjects without a missing value. */
+/** Subjects without a missing value, of whom the places' numbers are known. */
 std::vector<std::size_t>
-completeSubjects(const std::vector<Column> & columns)
+completeSubjects(const std::vector<NumberColumn> & columns, const TestedPlaces & places)
 {
   std::vector<std::size_t> complete;
   for (std::size_t subject = 0; subject < columns.front().size(); ++subject)
   {
-    if (std::all_of(columns.begin(), columns.end(), [&](const Column & column) { return column[subject].has_value(); }))
+    const bool isKnown = places.isKnown.empty() || places.isKnown[subject];
+    if (isKnown && std::all_of(columns.begin(), columns.end(), [&](const NumberColumn & column) {
+          return column[subject].has_value();
+        }))
     {
       complete.push_back(subject);
     }
@@ -30,7 +31,7 @@ completeSubjects(const std::vector<Column> & columns)
 
 /** The first column is the effect, of groups their numbers. \param groups  how many; 0: a regression */
 LinearDesign
-designOf(const std::vector<Column> & columns, const std::vector<std::size_t> & subjects, std::size_t groups)
+designOf(const std::vector<NumberColumn> & columns, const std::vector<std::size_t> & subjects, std::size_t groups)
 {
   const auto      rows = static_cast<Eigen::Index>(subjects.size());
   Eigen::MatrixXd values(rows, static_cast<Eigen::Index>(columns.size()));
@@ -49,32 +50,9 @@ designOf(const std::vector<Column> & columns, const std::vector<std::size_t> & s
   return design;
 }
 
-/** \param effect  of the column that is tested */
-AtlasTest
-runTest(AtlasTest             test,
-        const Column &        effect,
-        const AtlasSubjects & subjects,
-        const SubjectTable &  aligned,
-        const AtlasOptions &  options)
+void
+requireNoGroupEmpty(const AtlasTest & test)
 {
-  std::vector<Column> columns{ effect };
-  for (const std::string & covariate : options.covariates)
-  {
-    if (covariate != test.column)
-    {
-      columns.push_back(numbersOfColumn(subjects, covariate));
-      test.covariates.push_back(covariate);
-    }
-  }
-  test.subjects = completeSubjects(columns);
-  test.groupSizes.assign(test.groups.size(), 0);
-  if (!test.groups.empty())
-  {
-    for (const std::size_t subject : test.subjects)
-    {
-      ++test.groupSizes[static_cast<std::size_t>(*effect[subject])];
-    }
-  }
   const auto empty = std::find(test.groupSizes.begin(), test.groupSizes.end(), std::size_t{ 0 });
   if (empty != test.groupSizes.end())
   {
@@ -84,20 +62,71 @@ runTest(AtlasTest             test,
                      " has all the values",
                    "fill in the covariates or leave some out");
   }
-  const LinearDesign design = designOf(columns, test.subjects, test.groups.size());
-  PermutationOptions permutation;
-  permutation.permutations = options.permutations;
-  permutation.seed = options.seed;
-  permutation.threads = options.threads;
+}
+
+/** \param test  its name, column and groups \param effect  of the column that is tested */
+PlannedTest
+planTest(AtlasTest             test,
+         const NumberColumn &  effect,
+         const AtlasSubjects & subjects,
+         const AtlasOptions &  options,
+         const TestedPlaces &  places)
+{
+  PlannedTest planned{ std::move(test), {}, {}, places.components };
+  AtlasTest & plan = planned.test;
+  plan.name += places.areCells ? "_image" : "";
+  plan.areCells = places.areCells;
+  std::vector<NumberColumn> columns{ effect };
+  for (const std::string & covariate : options.covariates)
+  {
+    if (covariate != plan.column)
+    {
+      const auto more = covariatesOfColumn(subjects, covariate);
+      columns.insert(columns.end(), more.begin(), more.end());
+      planned.covariateOf.insert(planned.covariateOf.end(), more.size(), plan.covariates.size());
+      plan.covariates.push_back(covariate);
+    }
+  }
+  plan.subjects = completeSubjects(columns, places);
+  plan.groupSizes.assign(plan.groups.size(), 0);
+  if (!plan.groups.empty())
+  {
+    for (const std::size_t subject : plan.subjects)
+    {
+      ++plan.groupSizes[static_cast<std::size_t>(*effect[subject])];
+    }
+  }
+  requireNoGroupEmpty(plan);
+  planned.design = designOf(columns, plan.subjects, plan.groups.size());
   try
   {
-    test.result = permutationTest(ChosenSubjects(aligned, test.subjects), design, permutation);
+    requireTestable(planned.design, places.components);
   }
   catch (const InvalidInput & error)
   {
-    throw BadInput(error.code(), test.column, error.what(), "give more subjects or fewer covariates");
+    throw BadInput(error.code(), plan.column, error.what(), "give more subjects or fewer covariates");
   }
-  return test;
+  return planned;
+}
+
+/** Covariates of which every column was left out. */
+std::vector<std::string>
+covariatesLeftOut(const PlannedTest & planned, const std::vector<std::size_t> & columnsLeftOut)
+{
+  std::vector<std::string> names;
+  for (std::size_t covariate = 0; covariate < planned.test.covariates.size(); ++covariate)
+  {
+    const auto isOfIt = [&](std::size_t owner) { return owner == covariate; };
+    const auto all = std::count_if(planned.covariateOf.begin(), planned.covariateOf.end(), isOfIt);
+    const auto left = std::count_if(columnsLeftOut.begin(), columnsLeftOut.end(), [&](std::size_t column) {
+      return isOfIt(planned.covariateOf[column]);
+    });
+    if (left == all)
+    {
+      names.push_back(planned.test.covariates[covariate]);
+    }
+  }
+  return names;
 }
 
 } // namespace
@@ -112,15 +141,15 @@ effectSizes(const AtlasTest & test)
   return test.groups.empty() ? test.result.partialCorrelation : test.result.standardisedDifference;
 }
 
-std::vector<NodeChange>
+std::vector<PlaceChange>
 changesOf(const AtlasTest & test)
 {
   if (!test.hasManyGroups())
   {
     return { { test.groups.empty() ? "Slope" : "Difference", "", test.result.slope } };
   }
-  std::vector<NodeChange> changes;
-  const auto              displacements = groupDisplacements(test.result.slope, test.groupSizes);
+  std::vector<PlaceChange> changes;
+  const auto               displacements = groupDisplacements(test.result.slope, test.groupSizes);
   for (std::size_t group = 0; group < test.groups.size(); ++group)
   {
     changes.push_back({ "Difference_" + test.groups[group], test.groups[group], displacements[group] });
@@ -134,28 +163,45 @@ describe(const AtlasTest & test)
   const auto group = [&test](std::size_t number) {
     return test.groups[number] + " (" + std::to_string(test.groupSizes[number]) + ")";
   };
+  const std::string images = test.areCells ? ", images" : "";
   if (test.groups.size() == 2)
   {
-    return test.column + ", " + group(1) + " against " + group(0);
+    return test.column + ", " + group(1) + " against " + group(0) + images;
   }
   std::string text = test.column;
   for (std::size_t number = 0; number < test.groups.size(); ++number)
   {
     text += ", " + group(number);
   }
-  return text;
+  return text + images;
+}
+
+const char *
+placesOf(const AtlasTest & test)
+{
+  return test.areCells ? "cells" : "nodes";
+}
+
+const char *
+unitOf(const AtlasTest & test)
+{
+  if (test.groups.empty())
+  {
+    return test.areCells ? " (per unit)" : " (mm per unit)";
+  }
+  return test.areCells ? "" : " (mm)";
 }
 
 Eigen::Index
-nodesAtLevel(const Eigen::VectorXd & p)
+placesAtLevel(const Eigen::VectorXd & p)
 {
   return (p.array() <= level).count();
 }
 
-std::vector<AtlasTest>
-runAtlasTests(const AtlasSubjects & subjects, const SubjectTable & aligned, const AtlasOptions & options)
+std::vector<PlannedTest>
+planAtlasTests(const AtlasSubjects & subjects, const AtlasOptions & options, const TestedPlaces & places)
 {
-  std::vector<AtlasTest> tests;
+  std::vector<PlannedTest> tests;
   if (!options.group.empty())
   {
     const GroupColumn column = groupsOfColumn(subjects, options.group);
@@ -163,16 +209,30 @@ runAtlasTests(const AtlasSubjects & subjects, const SubjectTable & aligned, cons
     test.name = "group";
     test.column = options.group;
     test.groups = column.names;
-    tests.push_back(runTest(test, column.numbers, subjects, aligned, options));
+    tests.push_back(planTest(test, column.numbers, subjects, options, places));
   }
   if (!options.regressor.empty())
   {
     AtlasTest test;
     test.name = "regression";
     test.column = options.regressor;
-    tests.push_back(runTest(test, numbersOfColumn(subjects, options.regressor), subjects, aligned, options));
+    tests.push_back(planTest(test, numbersOfColumn(subjects, options.regressor), subjects, options, places));
   }
   return tests;
+}
+
+AtlasTest
+runAtlasTest(const PlannedTest & planned, const SubjectTable & values, const AtlasOptions & options)
+{
+  AtlasTest          test = planned.test;
+  PermutationOptions permutation;
+  permutation.permutations = options.permutations;
+  permutation.seed = options.seed;
+  permutation.threads = options.threads;
+  permutation.componentsPerPlace = planned.components;
+  test.result = permutationTest(ChosenSubjects(values, test.subjects), planned.design, permutation);
+  test.covariatesLeftOut = covariatesLeftOut(planned, test.result.nuisanceLeftOut);
+  return test;
 }
 
 } // namespace moserhex::app

@@ -156,6 +156,37 @@ readAndCarry(const std::string &        file,
   }
 }
 
+Eigen::VectorXd
+vectorOf(const std::vector<double> & values)
+{
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/** A row for each subject's image, where tests are asked for and can be made. */
+std::unique_ptr<SubjectFile>
+fileForTests(const FieldVolume & image, std::size_t subjects, const AtlasOptions & options)
+{
+  const bool isTested = !options.group.empty() || !options.regressor.empty();
+  if (!isTested || options.imageSampling != "cells" || image.components > 3)
+  {
+    return nullptr;
+  }
+  return std::make_unique<SubjectFile>(options.outputFolder, subjects, image.values.size());
+}
+
+/** Rows of subjects without an image, so that the file can be read to its end. */
+void
+fillUnknown(const MeanImage & images)
+{
+  for (std::size_t subject = 0; images.values && subject < images.isKnown.size(); ++subject)
+  {
+    if (!images.isKnown[subject])
+    {
+      images.values->writeSubject(subject, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(images.values->columns())));
+    }
+  }
+}
+
 } // namespace
 
 void
@@ -201,14 +232,20 @@ meanImage(const AtlasSubjects &               subjects,
       const HexMesh mesh{ meshes.nodesPerSide, pointsOf(meshes.nodes->readSubject(i)) };
       image = readAndCarry(*files[i], subject, mesh, options, result.warnings);
     }
+    result.isKnown.push_back(image.flaw.empty());
     if (image.flaw.empty())
     {
       if (moments.count() == 0)
       {
         result.mean = image.image;
+        result.values = fileForTests(result.mean, files.size(), options);
       }
       requireSameComponents(*files[i], image.image, result.mean.components);
       moments.add(image.image.values);
+      if (result.values)
+      {
+        result.values->writeSubject(i, vectorOf(image.image.values));
+      }
     }
     else
     {
@@ -225,6 +262,7 @@ meanImage(const AtlasSubjects &               subjects,
                      (result.warnings.empty() ? "" : " (" + result.warnings.back() + ")"),
                    "give the images of the meshes' own scans, in LPS millimetres");
   }
+  fillUnknown(result);
   result.subjects = moments.count();
   result.deviation = result.mean;
   result.mean.values = moments.mean();

@@ -6,6 +6,7 @@
 #include "moserhex/LevelSet/FieldVolume.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,17 @@ struct MeanImage
   FieldVolume              deviation; ///< standard deviation over the subjects, divisor N - 1
   std::size_t              subjects{ 0 };
   std::vector<std::string> leftOut; ///< names of the other subjects
-  std::vector<std::string> warnings;
+  std::vector<bool>        isKnown; ///< of every subject: is in the mean
+  /** A row a subject: its image, zeros where it is left out. Nothing where no test is asked for, or samples are no
+   * cells of the lattice, or have more than three components. */
+  std::unique_ptr<SubjectFile> values;
+  std::vector<std::string>     warnings;
 };
 
 /** Carries every subject's image to the cube by its own mesh, as `moserhex transfer --to-cube` does, and adds it to the
- * mean. One image at a time is in memory. Left out, with a warning each: subjects without an image in the table, with
- * one that does not cover the whole mesh, is not a number somewhere in it, or, where it is to be normalised, constant
- * in it.
+ * mean. One image at a time is in memory; where it is to be tested, all lie in a file without a name. Left out, with a
+ * warning each: subjects without an image in the table, with one that does not cover the whole mesh, is not a number
+ * somewhere in it, or, where it is to be normalised, constant in it.
  *
  * With options.normaliseImages every component c is made (c - mean) / deviation first, both over the organ's volume.
  *

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <sstream>
 
 namespace moserhex::app
@@ -80,15 +79,9 @@ writeModeMeshes(AtlasResult & result, const AtlasOptions & options, const std::f
     figures.volumeVariance = made.shape.varianceAfter;
     figures.boundaryDistance = made.shape.boundaryDistance;
     figures.attempts = made.attempts;
-    const std::string fileName = options.outputFolder + "/" + figures.file;
     if (made.deviations > 0.0)
     {
-      writeMesh(fileName, made, sign, result.mean.mesh);
-    }
-    else
-    {
-      std::error_code ignored;
-      std::filesystem::remove(fileName, ignored); // of an earlier run into the same folder
+      writeMesh(options.outputFolder + "/" + figures.file, made, sign, result.mean.mesh);
     }
     if (!made.attempts.empty())
     {

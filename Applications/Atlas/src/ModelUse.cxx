@@ -2,6 +2,7 @@
 
 #include "AtlasFiles.h"
 #include "CommandErrors.h"
+#include "TableCells.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
 #include <algorithm>
@@ -21,58 +22,87 @@ fileNameOf(std::string subject)
   return subject + ".vtu";
 }
 
+/** Of a row without a name, its number. */
 std::string
-nameOfRow(const TextTable & table, const TextTable::Row & row, std::size_t number)
+nameOfRow(const TextTable & table, std::size_t row)
 {
-  const auto column = std::find(table.columns.begin(), table.columns.end(), "subject");
-  return column == table.columns.end() ? "row-" + std::to_string(number + 1)
-                                       : row.cells[static_cast<std::size_t>(column - table.columns.begin())];
+  const std::size_t column = columnNumber(table, "subject");
+  const bool        isNamed = column < table.columns.size() && !isMissing(table.rows[row].cells[column]);
+  return isNamed ? table.rows[row].cells[column] : "row-" + std::to_string(row + 1);
 }
 
-/** Columns mode_1 ... of a table; the model has no more modes than `modes`. */
-void
-requireModes(const std::string & fileName, const TextTable & table, Eigen::Index modes)
+/** "mode_" and a number, whether or not the model has such a mode. */
+bool
+isModeColumn(const std::string & column)
 {
-  bool isAny = false;
-  for (const std::string & column : table.columns)
+  const std::string stem = "mode_";
+  return column.size() > stem.size() && column.compare(0, stem.size(), stem) == 0 &&
+         column.find_first_not_of("0123456789", stem.size()) == std::string::npos;
+}
+
+/** \throws BadInput  the model does not have it */
+Eigen::Index
+modeOfColumn(const std::string & fileName, const std::string & column, Eigen::Index modes)
+{
+  for (Eigen::Index mode = 0; mode < modes; ++mode)
   {
-    isAny = isAny || column == modeColumn(0);
-    if (column == modeColumn(static_cast<std::size_t>(modes)))
+    if (column == modeColumn(static_cast<std::size_t>(mode)))
     {
-      throw BadInput(ErrorCode::Format, fileName, "more modes than the model's " + std::to_string(modes), "drop them");
+      return mode;
     }
   }
-  if (!isAny)
-  {
-    throw BadInput(ErrorCode::Format, fileName, "no column mode_1", "give the scores of an atlas");
-  }
+  throw BadInput(ErrorCode::Format,
+                 fileName,
+                 "a column " + column + ", the model has mode_1 to " + modeColumn(static_cast<std::size_t>(modes - 1)),
+                 "drop it, or give the model that the scores are of");
 }
 
-/** A row a shape, scores in standard deviations. */
+/** A row a shape, scores in standard deviations; 0 where there is none. */
 Eigen::MatrixXd
 scoresOfTable(const std::string & fileName, const TextTable & table, Eigen::Index modes)
 {
-  AtlasSubjects asSubjects;
-  asSubjects.table = table;
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(table.rows.size()), modes);
-  for (Eigen::Index mode = 0; mode < modes; ++mode)
+  if (table.rows.empty())
   {
-    const std::string column = modeColumn(static_cast<std::size_t>(mode));
-    if (std::find(table.columns.begin(), table.columns.end(), column) == table.columns.end())
+    throw BadInput(ErrorCode::Empty, fileName, "no row", "give the scores of an atlas");
+  }
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(table.rows.size()), modes);
+  bool            isAny = false;
+  for (std::size_t column = 0; column < table.columns.size(); ++column)
+  {
+    if (!isModeColumn(table.columns[column]))
     {
       continue;
     }
-    const auto numbers = numbersOfColumn(asSubjects, column);
+    const Eigen::Index mode = modeOfColumn(fileName, table.columns[column], modes);
+    isAny = true;
+    const auto numbers = numbersIn(table, column);
     for (std::size_t row = 0; row < numbers.size(); ++row)
     {
       scores(static_cast<Eigen::Index>(row), mode) = numbers[row].value_or(0.0);
     }
   }
-  if (table.rows.empty())
+  if (!isAny)
   {
-    throw BadInput(ErrorCode::Empty, fileName, "no row", "give the scores of an atlas");
+    throw BadInput(ErrorCode::Format, fileName, "no column mode_1, mode_2, ...", "give the scores of an atlas");
   }
   return scores;
+}
+
+/** How many of the model's modes the options ask for. */
+Eigen::Index
+modesToUse(const ShapeModel & shape, const AtlasOptions & options)
+{
+  const Eigen::Index all = shape.modes.cols();
+  if (options.maximumModes > 0)
+  {
+    return static_cast<Eigen::Index>(std::min(options.maximumModes, static_cast<std::size_t>(all)));
+  }
+  Eigen::Index count = 0;
+  for (double held = 0.0; count < all && held < options.varianceFraction * shape.totalVariance; ++count)
+  {
+    held += shape.variances[count];
+  }
+  return count;
 }
 
 } // namespace
@@ -107,7 +137,9 @@ projectMeshes(const AtlasOptions & options)
   }
   writeScores(
     options.outputFolder + "/scores.csv", subjects, meshes.figures, "distance_to_model_mm", unexplained, scores);
-  return meshes.warnings;
+  std::vector<std::string> warnings = subjects.warnings;
+  warnings.insert(warnings.end(), meshes.warnings.begin(), meshes.warnings.end());
+  return warnings;
 }
 
 std::vector<std::string>
@@ -117,22 +149,23 @@ reconstructMeshes(const AtlasOptions & options)
   {
     throw UsageError("--reconstruct takes one table of scores");
   }
-  const std::string & fileName = options.inputs.front();
-  const AtlasModel    model = readAtlasModel(options.reconstructWith);
-  const TextTable     table = readTextTable(fileName);
-  requireModes(fileName, table, model.shape.modes.cols());
-  const Eigen::MatrixXd    scores = scoresOfTable(fileName, table, model.shape.modes.cols());
+  const std::string &      fileName = options.inputs.front();
+  const AtlasModel         model = readAtlasModel(options.reconstructWith);
+  const TextTable          table = readTextTable(fileName);
+  const Eigen::Index       modes = modesToUse(model.shape, options);
+  const Eigen::MatrixXd    scores = scoresOfTable(fileName, table, model.shape.modes.cols()).leftCols(modes);
   std::vector<std::string> warnings;
   std::set<std::string>    files;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
   {
-    const std::string file = fileNameOf(nameOfRow(table, table.rows[row], row));
+    const std::string file = fileNameOf(nameOfRow(table, row));
     if (!files.insert(file).second)
     {
       throw BadInput(ErrorCode::Format, fileName, "two rows for " + file, "give every row its own subject");
     }
-    const Eigen::VectorXd b =
-      scores.row(static_cast<Eigen::Index>(row)).transpose().cwiseProduct(model.shape.variances.cwiseSqrt());
+    const Eigen::VectorXd b = scores.row(static_cast<Eigen::Index>(row))
+                                .transpose()
+                                .cwiseProduct(model.shape.variances.head(modes).cwiseSqrt());
     const HexMesh     mesh = meshOf(model, reconstruct(model.shape, b));
     const std::size_t uncertified = mesh.cellCount() - certifyCells(mesh, {}, options.threads).positive;
     if (uncertified > 0)

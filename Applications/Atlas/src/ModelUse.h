@@ -15,9 +15,11 @@ namespace moserhex::app
 projectMeshes(const AtlasOptions & options);
 
 /** Makes a mesh, SUBJECT.vtu in the output folder, of every row of a table of scores: columns mode_1, mode_2, ... in
- * standard deviations, a missing or empty one is 0; `subject` gives the names, else the row's number. \return warnings,
- * of meshes with cells that are not certified \throws UsageError, BadInput  also for a score that is no number, a mode
- * that the model does not have, or two rows of one name; IOError */
+ * standard deviations, at least one of them; a missing column or cell is 0. `subject` gives the names, else, and where
+ * it is missing, the row's number. Of the model's modes the first options.maximumModes are used or, where that is 0,
+ * those that hold options.varianceFraction. \return warnings, of meshes with cells that are not certified
+ * \throws UsageError, BadInput  also for a score that is no number, a mode that the model does not have, or two rows of
+ * one name; IOError */
 [[nodiscard]] std::vector<std::string>
 reconstructMeshes(const AtlasOptions & options);
 

@@ -61,7 +61,8 @@ testOf(const std::vector<std::string> & groups)
   test.result.pFamilyWise[0] = 0.01;
   test.result.partialCorrelation = test.result.standardisedDifference = Eigen::VectorXd::Constant(nodeCount, 0.5);
   test.result.permutations = 720;
-  test.result.isExact = true;
+  test.result.areAllOrders = true;
+  test.result.smallestPossibleP = 0.002;
   return test;
 }
 
@@ -145,10 +146,11 @@ TEST_F(AtlasPage, SaysOfEveryTestWhatWasFound)
 {
   AtlasResult result = smallResult();
   result.tests = { testOf({ "control", "treated" }), testOf({}) };
-  expectParts(atlasPage(result, someOptions()),
-              { "arm&lt;b&gt;, treated (2) against control (2)",
-                "<td>age</td><td>720, all orders</td><td>0.01</td><td>1</td><td>0</td><td>0.5</td><td>5 mm</td>",
-                "<td>5 mm per unit</td>" });
+  expectParts(
+    atlasPage(result, someOptions()),
+    { "arm&lt;b&gt;, treated (2) against control (2)",
+      "<td>age</td><td>720, all orders</td><td>0.01</td><td>0.002</td><td>1</td><td>0</td><td>0.5</td><td>5 mm</td>",
+      "<td>5 mm per unit</td>" });
 }
 
 TEST_F(AtlasPage, ShowsEachOfManyGroups)

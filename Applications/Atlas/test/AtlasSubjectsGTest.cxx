@@ -83,6 +83,79 @@ TEST(AtlasSubjects, GroupsThatAreWordsMayBeMany)
   EXPECT_EQ(groups.numbers, (std::vector<std::optional<double>>{ 1.0, 0.0, std::nullopt, 2.0 }));
 }
 
+TEST(AtlasSubjects, WhatStatisticsProgramsWriteForNoValueIsMissing)
+{
+  const TestFolder    folder;
+  const AtlasSubjects subjects =
+    tableOf(folder,
+            "mesh,arm,age\n1.vtu,treated,50\n2.vtu,NA,NA\n3.vtu,control,NaN\n4.vtu,null,N/A\n"
+            "5.vtu,.,NULL\n6.vtu,treated,+6.5\n7.vtu,n/A,-.5\n");
+  const GroupColumn arm = groupsOfColumn(subjects, "arm");
+  EXPECT_EQ(arm.names, (std::vector<std::string>{ "control", "treated" }));
+  EXPECT_EQ(arm.numbers, (NumberColumn{ 1.0, {}, 0.0, {}, {}, 1.0, {} }));
+  EXPECT_EQ(numbersOfColumn(subjects, "age"), (NumberColumn{ 50.0, {}, {}, {}, {}, 6.5, -0.5 }));
+}
+
+TEST(AtlasSubjects, OneNumberWrittenInTwoWaysIsOneGroup)
+{
+  const TestFolder    folder;
+  const AtlasSubjects subjects = tableOf(folder, "mesh,dose\n1.vtu,1\n2.vtu,1.0\n3.vtu,+0\n4.vtu,0\n");
+  const GroupColumn   dose = groupsOfColumn(subjects, "dose");
+  EXPECT_EQ(dose.names, (std::vector<std::string>{ "0", "1" }));
+  EXPECT_EQ(dose.numbers, (NumberColumn{ 1.0, 1.0, 0.0, 0.0 }));
+}
+
+TEST(AtlasSubjects, CovariatesOfManyWordsAreColumnsOfZeroAndOne)
+{
+  const TestFolder    folder;
+  const AtlasSubjects subjects =
+    tableOf(folder, "mesh,site,sex,age\n1.vtu,west,f,50\n2.vtu,east,m,51\n3.vtu,NA,f,52\n4.vtu,south,m,53\n");
+  EXPECT_EQ(covariatesOfColumn(subjects, "site"),
+            (std::vector<NumberColumn>{ { 0.0, 0.0, {}, 1.0 }, { 1.0, 0.0, {}, 0.0 } }));
+  EXPECT_EQ(covariatesOfColumn(subjects, "sex"), (std::vector<NumberColumn>{ { 0.0, 1.0, 0.0, 1.0 } }));
+  EXPECT_EQ(covariatesOfColumn(subjects, "age"), (std::vector<NumberColumn>{ { 50.0, 51.0, 52.0, 53.0 } }));
+}
+
+TEST(AtlasSubjects, WhatIsNearlyANumberIsRefusedWithItsLine)
+{
+  const TestFolder    folder;
+  const AtlasSubjects subjects = tableOf(folder,
+                                         "mesh,age,comma,plus,arm\n1.vtu,50,3,+-3,1\n2.vtu,unknown,3.5,-3x,2\n"
+                                         "3.vtu,52,4,+-3,two\n");
+  const auto          refusal = [&](const std::string & column) {
+    return analytic::messageOf<Error>([&] { (void)numbersOfColumn(subjects, column); });
+  };
+  EXPECT_NE(refusal("age").find("line 3: unknown among numbers"), std::string::npos) << refusal("age");
+  EXPECT_NE(refusal("plus").find("line 2: +-3 is no number"), std::string::npos) << refusal("plus");
+  const std::string arm = analytic::messageOf<Error>([&] { (void)groupsOfColumn(subjects, "arm"); });
+  EXPECT_NE(arm.find("line 4: two among numbers"), std::string::npos) << arm;
+  const AtlasSubjects commas = tableOf(folder, "mesh,psa\n1.vtu,\"3,2\"\n2.vtu,\"4,1\"\n");
+  EXPECT_NE(
+    analytic::messageOf<Error>([&] { (void)covariatesOfColumn(commas, "psa"); }).find("line 2: 3,2 is no number"),
+    std::string::npos);
+}
+
+TEST(AtlasSubjects, AnEarlierAtlasAmongTheMeshesIsLeftOut)
+{
+  const TestFolder folder;
+  for (const char * file : { "a.vtu", "old/mean.vtu", "old/atlas.json", "old/model.json", "old/deep/b.vtu" })
+  {
+    makeFolder(fs::path(folder / file).parent_path().string());
+    writeTextFile(folder / file, "");
+  }
+  const AtlasSubjects subjects = listAtlasSubjects({ folder / "" }, folder / "out");
+  EXPECT_EQ(namesOf(subjects), std::vector<std::string>{ "a" });
+  ASSERT_EQ(subjects.warnings.size(), 1u);
+  EXPECT_NE(subjects.warnings[0].find("old: an atlas"), std::string::npos) << subjects.warnings[0];
+  EXPECT_NE(
+    analytic::messageOf<Error>([&] { (void)listAtlasSubjects({ folder / "old" }, folder / "out"); }).find("an atlas"),
+    std::string::npos);
+  EXPECT_NE(analytic::messageOf<UsageError>([&] {
+              (void)listAtlasSubjects({ folder / "" }, folder / "");
+            }).find("an input and the output"),
+            std::string::npos);
+}
+
 TEST(AtlasSubjects, FilesOfAColumnAreRelativeToTheTable)
 {
   const TestFolder    folder;
@@ -100,6 +173,8 @@ TEST(AtlasSubjects, Refusals)
   const auto       refusal = [&](const std::string & text) {
     return analytic::messageOf<Error>([&] { (void)tableOf(folder, text); });
   };
+  EXPECT_NE(refusal("mesh,age\n").find("no subject"), std::string::npos);
+  EXPECT_NE(refusal("mesh,age\nNA,5\n").find("no mesh in line 2"), std::string::npos);
   EXPECT_NE(refusal("file\n1.vtu\n").find("no column mesh"), std::string::npos);
   EXPECT_NE(refusal("mesh,age\n,5\n").find("no mesh in line 2"), std::string::npos);
   EXPECT_NE(refusal("mesh\n1.vtu\n./1.vtu\n").find("given twice"), std::string::npos);

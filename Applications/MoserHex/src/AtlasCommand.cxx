@@ -3,6 +3,7 @@
 #include "AtlasFiles.h"
 #include "CommandErrors.h"
 #include "Console.h"
+#include "EarlierAtlas.h"
 #include "ModeMeshFiles.h"
 #include "ModelUse.h"
 #include "moserhex/Common/Stopwatch.h"
@@ -26,6 +27,11 @@ constexpr double analysisPart = 0.6; ///< of the whole run, for progress only
 void
 takeModes(AtlasCommandOptions & options)
 {
+  if (!options.reconstructWith.empty() && !options.areModesGiven)
+  {
+    options.varianceFraction = 1.0; // all that the model has
+    return;
+  }
   const bool   isPercent = !options.modes.empty() && options.modes.back() == '%';
   const char * end = options.modes.data() + options.modes.size() - (isPercent ? 1 : 0);
   double       percent = 0.0;
@@ -67,15 +73,18 @@ void
 printTest(const AtlasTest & test)
 {
   const PermutationResult & result = test.result;
-  std::printf("%-11s %s: %zu %s, smallest family-wise p %.4g; %td of %td nodes at 0.05, %td by false discovery\n",
+  std::printf("%-11s %s: %zu %s, smallest family-wise p %.4g of at least %.4g; %td of %td %s at 0.05, %td by false "
+              "discovery\n",
               test.name.c_str(),
               describe(test).c_str(),
               result.permutations,
-              result.isExact ? "orders, all there are" : "permutations",
+              result.areAllOrders ? "orders, all there are" : "permutations",
               result.pFamilyWise.minCoeff(),
-              nodesAtLevel(result.pFamilyWise),
+              result.smallestPossibleP,
+              placesAtLevel(result.pFamilyWise),
               result.p.size(),
-              nodesAtLevel(result.qFalseDiscovery));
+              placesOf(test),
+              placesAtLevel(result.qFalseDiscovery));
 }
 
 void
@@ -139,16 +148,19 @@ printWarnings(const std::vector<std::string> & warnings)
 void
 makeAtlas(const AtlasOptions & options)
 {
-  const Stopwatch   stopwatch;
-  const AtlasResult result = [&] {
+  const Stopwatch stopwatch;
+  AtlasResult     result = [&] {
     ProgressPrinter printer(options.quiet);
     AtlasResult     all = analyse(options, [&printer](double fraction) { printer.show(analysisPart * fraction); });
+    removeEarlierAtlas(options.outputFolder);
     writeModeMeshes(
       all, options, [&printer](double fraction) { printer.show(analysisPart + (1.0 - analysisPart) * fraction); });
     return all;
   }();
   printWarnings(result.warnings);
+  const auto known = static_cast<std::ptrdiff_t>(result.warnings.size());
   writeAtlas(result, options);
+  printWarnings({ result.warnings.begin() + known, result.warnings.end() });
   if (!options.quiet)
   {
     printAtlas(result, options, stopwatch.seconds());
@@ -176,29 +188,45 @@ addAtlasCommand(CLI::App & program, AtlasCommandOptions & options)
                  "and others for --group, --regress and --covariates")
     ->required();
   command->add_option("--output", options.outputFolder, "Folder to write to")->required();
+  CLI::Option * project =
+    command->add_option("--project", options.projectOnto, "Model (model.json) to get the INPUT meshes' scores of");
+  CLI::Option * reconstruct = command
+                                ->add_option("--reconstruct",
+                                             options.reconstructWith,
+                                             "Model (model.json) to make meshes with; INPUT: scores.csv")
+                                ->excludes(project);
+  CLI::Option * align =
+    command
+      ->add_option("--align", options.alignmentName, "What is taken out before: nothing, place and turn, or size, too")
+      ->check(CLI::IsMember({ "none", "rigid", "similarity" }))
+      ->capture_default_str();
   command
-    ->add_option("--align", options.alignmentName, "What is taken out before: nothing, place and turn, or size, too")
-    ->check(CLI::IsMember({ "none", "rigid", "similarity" }))
-    ->capture_default_str();
-  command->add_option("--modes", options.modes, "Modes to keep: a number, or a part of the variance such as 95%")
-    ->capture_default_str();
-  command
-    ->add_option("--mode-meshes", options.modeMeshes, "Modes whose meshes at +-3 standard deviations are made, at most")
-    ->check(CLI::Range(0, 10000))
-    ->capture_default_str();
+    ->add_option("--modes",
+                 options.modes,
+                 "Modes to keep: a number, or a part of the variance such as 95%; to --reconstruct with [all]")
+    ->each([&options](const std::string &) { options.areModesGiven = true; })
+    ->capture_default_str()
+    ->excludes(project);
+  CLI::Option * modeMeshes = command
+                               ->add_option("--mode-meshes",
+                                            options.modeMeshes,
+                                            "Modes whose meshes at +-3 standard deviations are made, at most")
+                               ->check(CLI::Range(0, 10000))
+                               ->capture_default_str();
   command->add_option(
     "--group", options.group, "Column of two groups, or more that are words, to compare at every node");
   command->add_option("--regress", options.regressor, "Column of numbers to regress every node's place on");
   command->add_option("--covariates", options.covariates, "Columns, by commas, whose influence is taken out of both")
     ->delimiter(',')
     ->allow_extra_args(false);
-  command->add_option("--permutations", options.permutations, "Permutations of a test")
-    ->check(CLI::Range(1, 10000000))
-    ->capture_default_str();
-  command->add_option("--samples", options.samples, "Random shapes for the model's specificity")
-    ->check(CLI::Range(1, 10000000))
-    ->capture_default_str();
-  command->add_option("--seed", options.seed, "Of permutations and random shapes")->capture_default_str();
+  CLI::Option * permutations = command->add_option("--permutations", options.permutations, "Permutations of a test")
+                                 ->check(CLI::Range(1, 10000000))
+                                 ->capture_default_str();
+  CLI::Option * samples = command->add_option("--samples", options.samples, "Random shapes for the model's specificity")
+                            ->check(CLI::Range(1, 10000000))
+                            ->capture_default_str();
+  CLI::Option * seed =
+    command->add_option("--seed", options.seed, "Of permutations and random shapes")->capture_default_str();
   CLI::Option * images =
     command->add_option("--images", options.images, "Column of image files to take the mean of, in the cube");
   command
@@ -212,14 +240,14 @@ addAtlasCommand(CLI::App & program, AtlasCommandOptions & options)
                options.normaliseImages,
                "Bring each image to mean 0 and deviation 1 within the organ first")
     ->needs(images);
-  command->add_option("--label-spacing", options.labelSpacing, "Voxels of the template's labelmap in mm; 0: none")
-    ->check(CLI::Range(0.0, 100.0))
-    ->capture_default_str();
-  CLI::Option * project =
-    command->add_option("--project", options.projectOnto, "Model (model.json) to get the INPUT meshes' scores of");
-  command
-    ->add_option("--reconstruct", options.reconstructWith, "Model (model.json) to make meshes with; INPUT: scores.csv")
-    ->excludes(project);
+  CLI::Option * labelSpacing =
+    command->add_option("--label-spacing", options.labelSpacing, "Voxels of the template's labelmap in mm; 0: none")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  for (CLI::Option * ofAnalysis : { align, modeMeshes, permutations, samples, seed, labelSpacing })
+  {
+    ofAnalysis->excludes(project)->excludes(reconstruct);
+  }
   command->add_flag(
     "!--no-sandbox", options.sandbox, "Read files in this process instead of a child with limits of memory and time");
   command->add_option("--threads", options.threads, "Threads to use; the result does not depend on it [all]")

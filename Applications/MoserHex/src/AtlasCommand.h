@@ -13,7 +13,8 @@ namespace moserhex::app
 struct AtlasCommandOptions : AtlasOptions
 {
   std::string alignmentName{ "rigid" };
-  std::string modes{ "95%" }; ///< a number of modes, or a part of the variance with %
+  std::string modes{ "95%" };         ///< a number of modes, or a part of the variance with %
+  bool        areModesGiven{ false }; ///< on the command line
 };
 
 /** Adds `atlas` to the program. */

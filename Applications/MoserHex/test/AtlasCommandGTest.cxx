@@ -279,6 +279,151 @@ TEST_F(AtlasCommand, OptionsMayComeBeforeTheTable)
   EXPECT_EQ(summary("out")["tests"]["group"]["covariates"], std::vector<std::string>{ "age" });
 }
 
+TEST_F(AtlasCommand, ACovariateThatFollowsFromOthersIsLeftOutWithAWarning)
+{
+  writeSubjects(16);
+  std::string table = "mesh,group,age,born,scanner,site\n";
+  for (int i = 0; i < 16; ++i)
+  {
+    const double age = 50.3 + i * 7 % 11;
+    table += "m/" + std::to_string(i) + ".vtu," + (i % 2 == 1 ? "odd," : "even,") + std::to_string(age) + "," +
+             std::to_string(2024.1 - age) + ",3.6," + std::array{ "north", "south", "west" }[i / 2 % 3] + "\n";
+  }
+  writeTextFile(path("table.csv"), table);
+  const Outcome few = atlas("table.csv", "few", { "--group=group", "--covariates=age,site", "--permutations=99" });
+  const Outcome all =
+    atlas("table.csv", "all", { "--group=group", "--covariates=age,born,scanner,site", "--permutations=99" });
+  ASSERT_EQ(few.exitCode, 0) << few.error;
+  ASSERT_EQ(all.exitCode, 0) << all.error;
+  EXPECT_EQ(few.error, "");
+  EXPECT_NE(all.error.find("the covariate born is left out"), std::string::npos) << all.error;
+  EXPECT_NE(all.error.find("the covariate scanner is left out"), std::string::npos) << all.error;
+  EXPECT_EQ(contentOf(path("few/group.csv")), contentOf(path("all/group.csv")));
+  const auto test = summary("all")["tests"]["group"];
+  EXPECT_EQ(test["covariates_left_out"], (std::vector<std::string>{ "born", "scanner" }));
+  EXPECT_EQ(test["degrees_of_freedom"], 11); // 16 less constant, age, two of the sites and the groups
+}
+
+TEST_F(AtlasCommand, TheSmallestPossiblePIsSaid)
+{
+  writeSubjects(8);
+  const Outcome outcome = atlas("table.csv", "out", { "--group=group" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  const auto test = summary("out")["tests"]["group"];
+  EXPECT_EQ(test["permutations"], 70);
+  EXPECT_EQ(test["exact"], true);
+  EXPECT_NEAR(test["smallest_possible_p"].get<double>(), 2.0 / 70.0, 1e-12);
+  EXPECT_GE(test["smallest_p_family_wise"], test["smallest_possible_p"]);
+  EXPECT_NE(outcome.out.find("of at least 0.02857"), std::string::npos) << outcome.out;
+}
+
+TEST_F(AtlasCommand, AnEarlierAtlasIsNoSubjectAndIsReplaced)
+{
+  writeSubjects(5);
+  ASSERT_EQ(atlas("table.csv", "m/old", { "--group=group", "--permutations=9" }).exitCode, 0);
+  const Outcome other = atlas("m", "out");
+  ASSERT_EQ(other.exitCode, 0) << other.error;
+  EXPECT_EQ(summary("out")["subjects"], 5);
+  EXPECT_NE(other.error.find("old: an atlas"), std::string::npos) << other.error;
+  writeTextFile(path("m/old/notes.txt"), "mine");
+  ASSERT_EQ(atlas("m", "m/old", { "--mode-meshes=1" }).exitCode, 0);
+  EXPECT_TRUE(fs::exists(path("m/old/mode-01-plus3.vtu")));
+  EXPECT_TRUE(fs::exists(path("m/old/notes.txt")));
+  for (const char * stale : { "group.vtu", "group.csv", "mode-02-plus3.vtu" })
+  {
+    EXPECT_FALSE(fs::exists(path(std::string("m/old/") + stale))) << stale;
+  }
+  expectErrorCode(atlas("m", "m"), "E_USAGE");
+  expectErrorCode(atlas("m/old/mean.vtu", "m/old", { path("m/1.vtu") }), "E_USAGE");
+  expectErrorCode(atlas("m/old", "out"), "E_NOINPUT");
+}
+
+TEST_F(AtlasCommand, ATemplateThatWouldBeTooLargeCostsTheTemplateOnly)
+{
+  writeSubjects(4);
+  const Outcome outcome = atlas("m", "out", { "--label-spacing=0.01", "--mode-meshes=0" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("template.nrrd is not written"), std::string::npos) << outcome.error;
+  EXPECT_FALSE(fs::exists(path("out/template.nrrd")));
+  EXPECT_TRUE(fs::exists(path("out/model.json")));
+  EXPECT_EQ(summary("out")["warnings"].size(), 1u);
+}
+
+TEST_F(AtlasCommand, ADesignThatCannotBeTestedIsRefusedBeforeTheMeshesAreRead)
+{
+  writeTextFile(path("table.csv"),
+                "mesh,group,age,arm\nno/1.vtu,a,1,x\nno/2.vtu,b,2,x\nno/3.vtu,a,4,y\nno/4.vtu,b,3,y\n");
+  expectErrorCode(atlas("table.csv", "out", { "--group=group", "--covariates=age" }), "E_PRECONDITION");
+  expectErrorCode(atlas("table.csv", "out", { "--group=arm" }), "E_PRECONDITION");
+}
+
+TEST_F(AtlasCommand, AMeanThatIsNoSolidIsRefusedWithAReason)
+{
+  // One box in three scanners, each half a turn from the others: the mean of the turns is a reflection.
+  fs::create_directories(path("m"));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    HexMesh box = boxOf(0);
+    for (Vector3 & node : box.nodes)
+    {
+      const double kept = node[axis];
+      node = -node;
+      node[axis] = kept;
+    }
+    writeHexMesh(path("m/" + std::to_string(axis) + ".vtu"), box);
+  }
+  const Outcome outcome = atlas("m", "out", { "--align=none" });
+  expectErrorCode(outcome, "E_PRECONDITION");
+  EXPECT_NE(outcome.error.find("the subjects' mean is no solid"), std::string::npos) << outcome.error;
+}
+
+TEST_F(AtlasCommand, MeshesAreMadeOfAnyOfTheModes)
+{
+  writeSubjects(6);
+  ASSERT_EQ(atlas("m", "out", { "--modes=3", "--align=none" }).exitCode, 0);
+  const auto make = [&](const std::string & table, const std::string & folder, const std::vector<std::string> & more) {
+    writeTextFile(path("scores.csv"), table);
+    std::vector<std::string> arguments{ "--reconstruct", path("out/model.json") };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return atlas("scores.csv", folder, arguments);
+  };
+  const auto nodes = [&](const std::string & file) { return readHexMesh(path(file)).nodes; };
+  ASSERT_EQ(make("subject,mode_2\n,+3\nB,-3\nNA,\n", "made", {}).exitCode, 0);
+  EXPECT_TRUE(fs::exists(path("made/row-1.vtu")));
+  EXPECT_TRUE(fs::exists(path("made/row-3.vtu")));
+  const Positions up = nodes("made/row-1.vtu");
+  const Positions down = nodes("made/B.vtu");
+  const Positions mean = nodes("made/row-3.vtu");
+  double          largest = 0.0;
+  for (std::size_t node = 0; node < mean.size(); ++node)
+  {
+    EXPECT_LT((0.5 * (up[node] + down[node]) - mean[node]).norm(), 1e-9);
+    largest = std::max(largest, (up[node] - mean[node]).norm());
+  }
+  EXPECT_GT(largest, 1.0);
+
+  ASSERT_EQ(make("mode_1,mode_2\n1,2\n", "one", { "--modes=1" }).exitCode, 0);
+  ASSERT_EQ(make("mode_1\n1\n", "first", {}).exitCode, 0);
+  EXPECT_EQ(contentOf(path("one/row-1.vtu")), contentOf(path("first/row-1.vtu")));
+
+  expectErrorCode(make("mode_1,mode_7\n1,2\n", "no", {}), "E_FORMAT");
+  expectErrorCode(make("mode_1,mode_0\n1,2\n", "no", {}), "E_FORMAT");
+  expectErrorCode(make("mode_1\nlarge\n", "no", {}), "E_FORMAT");
+  expectErrorCode(make("mode_1\n\"3,2\"\n\"4,1\"\n", "no", {}), "E_FORMAT");
+  expectErrorCode(make("subject,mode_x\nA,2\n", "no", {}), "E_FORMAT");
+}
+
+TEST_F(AtlasCommand, WhatAModelDoesNotUseIsRefusedWithIt)
+{
+  for (const char * option :
+       { "--align=none", "--mode-meshes=1", "--permutations=9", "--label-spacing=2", "--samples=9", "--seed=2" })
+  {
+    expectErrorCode(atlas("m", "out", { "--project", path("model.json"), option }), "E_USAGE");
+    expectErrorCode(atlas("scores.csv", "out", { "--reconstruct", path("model.json"), option }), "E_USAGE");
+  }
+  expectErrorCode(atlas("m", "out", { "--project", path("model.json"), "--modes=2" }), "E_USAGE");
+}
+
 TEST_F(AtlasCommand, Refusals)
 {
   writeSubjects(4);
@@ -290,6 +435,9 @@ TEST_F(AtlasCommand, Refusals)
   expectErrorCode(atlas("m/1.vtu", "out"), "E_PRECONDITION");
   expectErrorCode(atlas("m/1.vtu", "out", { path("m/9.vtu") }), "E_NOINPUT");
   expectErrorCode(atlas("m", "out", { "--project", path("table.csv") }), "E_FORMAT");
+  ASSERT_EQ(atlas("m", "model").exitCode, 0);
+  writeTextFile(path("empty.csv"), "subject,mesh\n");
+  expectErrorCode(atlas("empty.csv", "out", { "--project", path("model/model.json") }), "E_EMPTY");
   expectErrorCode(atlas("table.csv", "out", { "--group", "group", "--project", path("model.json") }), "E_USAGE");
   writeHexMesh(path("m/other.vtu"), boxOf(1, 6));
   expectErrorCode(atlas("m", "out"), "E_NOT_HEXAHEDRA");

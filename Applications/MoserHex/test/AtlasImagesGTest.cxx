@@ -1,5 +1,6 @@
 // Fields that are linear in the cube: quadrature and interpolation are exact for them, so images to 1e-9.
 #include "CommandTest.h"
+#include "TextTable.h"
 #include "moserhex/CubeTransfer/CubeImage.h"
 #include "moserhex/Geometry/TriangleMesh.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
@@ -235,6 +236,58 @@ TEST_F(AtlasImages, SubjectsWithoutAnImageOfTheWholeOrganAreLeftOutAndNamed)
   EXPECT_EQ(json["warnings"].size(), 2u);
   EXPECT_EQ(json["subjects"], 5);
   EXPECT_NEAR(image("mean_image_cube.nrrd").values[0], momentsAt(0.5 / cells, 3).first, 1e-9);
+}
+
+TEST_F(AtlasImages, GroupsAreComparedInTheCellsOfTheImages)
+{
+  writeSubjects(8, 2);
+  // The level rises by 7 a subject, the slope falls by 3; the groups are 3.5 subjects apart.
+  std::string table = "mesh,mri,arm\n";
+  for (int i = 0; i < 8; ++i)
+  {
+    const std::string name = std::to_string(i);
+    table += name + ".vtu," + (i == 7 ? "" : name + ".nrrd") + "," + (i < 4 ? "low" : "up") + "\n";
+  }
+  writeTextFile(path("table.csv"), table);
+  const Outcome outcome = atlas({ "--images=mri", "--group=arm", "--permutations=999" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  const auto test = summary()["tests"]["group_image"];
+  EXPECT_EQ(test["group_sizes"], (std::vector<int>{ 4, 3 })); // one has no image
+  EXPECT_EQ(summary()["tests"]["group"]["group_sizes"], (std::vector<int>{ 4, 4 }));
+  EXPECT_EQ(test["permutations"], 35);
+  EXPECT_NE(outcome.out.find("of 125 cells at 0.05"), std::string::npos) << outcome.out;
+  const TextTable result = readTextTable(path("out/group_image.csv"));
+  ASSERT_EQ(result.rows.size(), 125u);
+  EXPECT_EQ(std::vector<std::string>(result.columns.begin(), result.columns.begin() + 9),
+            (std::vector<std::string>{ "cell", "i", "j", "k", "x", "y", "z", "difference_1", "difference_2" }));
+  for (const TextTable::Row & row : result.rows)
+  {
+    const double c = (std::stod(row.cells[1]) + 0.5) / cells;
+    EXPECT_NEAR(std::stod(row.cells[7]), 24.5 - 10.5 * c, 1e-9);
+    EXPECT_NEAR(std::stod(row.cells[8]), -24.5 + 10.5 * c, 1e-9);
+  }
+  EXPECT_NE(contentOf(path("out/group_image.vtu")).find("Name=\"Difference_2\""), std::string::npos);
+}
+
+TEST_F(AtlasImages, WhereTheirTestsCannotBeMadeTheRestIs)
+{
+  writeSubjects(7);
+  std::string table = "mesh,mri,arm\n";
+  for (int i = 0; i < 7; ++i)
+  {
+    const std::string name = std::to_string(i);
+    table += name + ".vtu," + (i < 4 ? name + ".nrrd" : "") + "," + (i < 4 ? "low" : "up") + "\n";
+  }
+  writeTextFile(path("table.csv"), table);
+  const Outcome nobody = atlas({ "--images=mri", "--group=arm", "--permutations=9" });
+  ASSERT_EQ(nobody.exitCode, 0) << nobody.error;
+  EXPECT_NE(nobody.error.find("images: not tested; arm: no subject of the group up"), std::string::npos)
+    << nobody.error;
+  EXPECT_TRUE(fs::exists(path("out/group.csv")));
+  EXPECT_FALSE(fs::exists(path("out/group_image.csv")));
+  const Outcome nodes = atlas({ "--images=mri", "--group=arm", "--permutations=9", "--image-sampling=nodes" });
+  ASSERT_EQ(nodes.exitCode, 0) << nodes.error;
+  EXPECT_NE(nodes.error.find("images: not tested; that needs --image-sampling cells"), std::string::npos);
 }
 
 TEST_F(AtlasImages, Refusals)

@@ -76,7 +76,7 @@ class PermutationTest:
     partial_correlation      (L,) in [0, 1]; its square is the partial eta squared
     standardised_difference  (L,) of two groups Cohen's d, of vectors Mahalanobis' D; else None
     permutations             made, the subjects' own order among them
-    is_exact                 they are all that there are
+    is_exact                 they are all that there are, and there is no nuisance: p are exact
     degrees_of_freedom       subjects less the rank of constant, nuisance and effect
     """
 

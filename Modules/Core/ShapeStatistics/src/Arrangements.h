@@ -12,8 +12,8 @@ namespace moserhex
 /** Orders of the subjects: entry s of an order is the subject whose design stands at subject s. */
 struct Arrangements
 {
-  std::vector<std::vector<std::uint16_t>> orders;           ///< the first is the subjects' own
-  bool                                    isExact{ false }; ///< all different ones
+  std::vector<std::vector<std::uint16_t>> orders;          ///< the first is the subjects' own
+  bool                                    areAll{ false }; ///< all different ones
 };
 
 /** All different orders of the design's rows, when there are at most `count` + 1; else the subjects' own order and

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace moserhex
 {
@@ -21,6 +22,24 @@ constexpr double equalVariance = 1e-18;
 /** Of the mesh given, from one that hardly lets it bend to one that hardly holds it [1]. */
 constexpr std::array<double, 2> referenceWeights{ { 2.0, 0.5 } };
 
+/** Of boundary nodes, as equaliseVolumes has it [mm]. */
+double
+surfaceTolerance()
+{
+  return EqualisationOptions{}.surfaceTolerance;
+}
+
+/** By cells that are certified, then by how far the outline is beyond what is allowed, then by the variance. */
+bool
+isNearerToExact(const EqualVolumeShape & a, const EqualVolumeShape & b)
+{
+  const auto beyond = [](const EqualVolumeShape & shape) {
+    return std::max(0.0, shape.boundaryDistance - surfaceTolerance());
+  };
+  return std::make_tuple(b.certified.positive, beyond(a), a.varianceAfter) <
+         std::make_tuple(a.certified.positive, beyond(b), b.varianceAfter);
+}
+
 /** One run: what a way leaves for those after it. */
 class Run
 {
@@ -30,9 +49,7 @@ public:
     , m_Options(options)
     , m_Phi(boundaryDistance(shape))
     , m_Before(measureEquality(shape, VolumeMeasure(), options.threads))
-  {
-    m_Result.varianceBefore = m_Before.variance;
-  }
+  {}
 
   [[nodiscard]] EqualVolumeShape
   run(const ProgressCallback & progress)
@@ -84,19 +101,33 @@ private:
     take(equaliseVolumes(m_Shape, m_Phi, m_Before.total, options, progress).mesh, way);
   }
 
-  /** Judges a mesh: volume, certificate and variance. */
+  /** Volume, certificate, variance and outline of a mesh. */
+  [[nodiscard]] EqualVolumeShape
+  judged(HexMesh && mesh, EqualVolumeWay way) const
+  {
+    const MeasureEquality equality = measureEquality(mesh, VolumeMeasure(), m_Options.threads);
+    EqualVolumeShape      made;
+    made.mesh = std::move(mesh);
+    made.way = way;
+    made.volume = equality.total;
+    made.varianceBefore = m_Before.variance;
+    made.varianceAfter = equality.variance;
+    made.certified = certifyCells(made.mesh, {}, m_Options.threads);
+    made.boundaryDistance = boundaryDistanceOf(made.mesh);
+    made.exact = equality.variance <= equalVariance && made.certified.positive == made.mesh.cellCount() &&
+                 made.boundaryDistance <= surfaceTolerance();
+    return made;
+  }
+
+  /** Keeps a mesh that is the first, or nearer to exact than the one before. */
   void
   take(HexMesh && mesh, EqualVolumeWay way)
   {
-    const MeasureEquality equality = measureEquality(mesh, VolumeMeasure(), m_Options.threads);
-    m_Result.mesh = std::move(mesh);
-    m_Result.way = way;
-    m_Result.volume = equality.total;
-    m_Result.varianceAfter = equality.variance;
-    m_Result.certified = certifyCells(m_Result.mesh, {}, m_Options.threads);
-    m_Result.boundaryDistance = boundaryDistanceOf(m_Result.mesh);
-    m_Result.exact = equality.variance <= equalVariance && m_Result.certified.positive == m_Result.mesh.cellCount() &&
-                     m_Result.boundaryDistance <= EqualisationOptions{}.surfaceTolerance;
+    EqualVolumeShape made = judged(std::move(mesh), way);
+    if (m_Result.mesh.nodes.empty() || isNearerToExact(made, m_Result))
+    {
+      m_Result = std::move(made);
+    }
   }
 
   void
@@ -138,11 +169,10 @@ private:
     {
       m_Result.shortcomings.push_back(std::to_string(doubtful) + " cells are not certified");
     }
-    if (m_Result.boundaryDistance > EqualisationOptions{}.surfaceTolerance)
+    if (m_Result.boundaryDistance > surfaceTolerance())
     {
       std::ostringstream text;
-      text << "the boundary is " << m_Result.boundaryDistance << " mm off, need "
-           << EqualisationOptions{}.surfaceTolerance;
+      text << "the boundary is " << m_Result.boundaryDistance << " mm off, need " << surfaceTolerance();
       m_Result.shortcomings.push_back(text.str());
     }
   }

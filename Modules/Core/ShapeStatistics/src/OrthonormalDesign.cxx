@@ -2,9 +2,8 @@
 
 #include "moserhex/Common/Errors.h"
 
-#include <Eigen/QR>
-
 #include <cmath>
+#include <optional>
 
 namespace moserhex
 {
@@ -13,25 +12,37 @@ namespace
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-constexpr double smallestLeftOver = 1e-10; ///< of an effect's squares, after the nuisance
+constexpr double smallestVariation = 1e-20; ///< of a column's squares, about its mean: below it is constant
+constexpr double smallestLeftOver = 1e-10;  ///< of a column's squares about its mean, after those before it
 
-/** Orthonormal basis of constant and nuisance, the constant first. */
-Matrix
-nuisanceBasis(const Matrix & nuisance, Eigen::Index subjects)
+/** Adds what the basis does not hold of a column to it, by Gram and Schmidt, done twice.
+ * \param basis  orthonormal, the constant first \return the column's parts along the basis, the new one the last;
+ * nothing where next to nothing is left: the basis stays as it is */
+std::optional<Vector>
+addColumn(Matrix & basis, const Vector & column)
 {
-  Matrix result = Matrix::Constant(subjects, 1, 1.0 / std::sqrt(static_cast<double>(subjects)));
-  if (nuisance.cols() > 0)
+  const Vector centred = column.array() - column.mean();
+  if (!(centred.squaredNorm() > smallestVariation * column.squaredNorm()))
   {
-    // Columns of equal length, so that a covariate's unit does not decide its rank.
-    Matrix centred = nuisance.rowwise() - nuisance.colwise().mean();
-    centred.colwise().normalize();
-    const Eigen::ColPivHouseholderQR<Matrix> qr(centred);
-    const Eigen::Index                       rank = qr.rank();
-    const Matrix                             basis = qr.householderQ() * Matrix::Identity(subjects, rank);
-    result.conservativeResize(Eigen::NoChange, 1 + rank);
-    result.rightCols(rank) = basis;
+    return std::nullopt;
   }
-  return result;
+  const Eigen::Index size = basis.cols();
+  Vector             parts = Vector::Zero(size + 1);
+  Vector             left = centred;
+  for (int time = 0; time < 2; ++time) // the second takes the rounding of the first
+  {
+    const Vector shares = basis.transpose() * left;
+    left -= basis * shares;
+    parts.head(size) += shares;
+  }
+  if (!(left.squaredNorm() > smallestLeftOver * centred.squaredNorm()))
+  {
+    return std::nullopt;
+  }
+  parts[size] = left.norm();
+  basis.conservativeResize(Eigen::NoChange, size + 1);
+  basis.col(size) = left / parts[size];
+  return parts;
 }
 
 } // namespace
@@ -49,27 +60,26 @@ orthonormalised(const LinearDesign & design)
   const Eigen::Index subjects = design.effect.rows();
   const Eigen::Index effects = design.effect.cols();
   OrthonormalDesign  result;
-  result.nuisance = nuisanceBasis(design.nuisance, subjects);
-  result.effect.resize(subjects, effects);
+  Matrix             basis = Matrix::Constant(subjects, 1, 1.0 / std::sqrt(static_cast<double>(subjects)));
+  for (Eigen::Index column = 0; column < design.nuisance.cols(); ++column)
+  {
+    if (!addColumn(basis, design.nuisance.col(column)))
+    {
+      result.nuisanceLeftOut.push_back(static_cast<std::size_t>(column));
+    }
+  }
+  result.nuisance = basis;
   result.mixing = Matrix::Zero(effects, effects);
   for (Eigen::Index column = 0; column < effects; ++column)
   {
-    const Vector centred = design.effect.col(column).array() - design.effect.col(column).mean();
-    Vector       left = centred;
-    for (int time = 0; time < 2; ++time) // the second takes the rounding of the first
-    {
-      left -= result.nuisance * (result.nuisance.transpose() * left);
-      const Vector shares = result.effect.leftCols(column).transpose() * left;
-      left -= result.effect.leftCols(column) * shares;
-      result.mixing.col(column).head(column) += shares;
-    }
-    if (!(left.squaredNorm() > smallestLeftOver * centred.squaredNorm()))
+    const std::optional<Vector> parts = addColumn(basis, design.effect.col(column));
+    if (!parts)
     {
       throw InvalidInput("permutation test: the effect is constant, or the nuisance explains it");
     }
-    result.mixing(column, column) = left.norm();
-    result.effect.col(column) = left / result.mixing(column, column);
+    result.mixing.col(column).head(column + 1) = parts->tail(column + 1);
   }
+  result.effect = basis.rightCols(effects);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,27 +25,59 @@ constexpr double       roundOff = 1e-24; ///< of the sum of squares: a scatter b
 constexpr double       tie = 1e-10;      ///< explained parts that differ by less, relatively, are equal
 
 void
+require(bool holds, const std::string & what)
+{
+  if (!holds)
+  {
+    throw InvalidInput("permutation test: " + what);
+  }
+}
+
+void
 requireArguments(const SubjectTable & table, const LinearDesign & design, const PermutationOptions & options)
 {
-  const auto require = [](bool holds, const std::string & what) {
-    if (!holds)
-    {
-      throw InvalidInput("permutation test: " + what);
-    }
-  };
   const auto subjects = static_cast<Eigen::Index>(table.subjects());
+  require(design.effect.cols() == 0 || design.effect.rows() == subjects,
+          std::to_string(design.effect.rows()) + " values of the effect for " + std::to_string(subjects) + " subjects");
+  require(options.permutations >= 1, "no permutation");
+}
+
+/** The design made orthonormal, when there are enough subjects for it. \throws InvalidInput  as requireTestable */
+OrthonormalDesign
+testableDesign(const LinearDesign & design, std::size_t componentsPerPlace)
+{
+  const Eigen::Index subjects = design.effect.rows();
   require(subjects <= std::numeric_limits<std::uint16_t>::max(), "more than 65535 subjects");
   require(design.effect.cols() >= 1, "no effect");
-  require(design.effect.rows() == subjects,
-          std::to_string(design.effect.rows()) + " values of the effect for " + std::to_string(subjects) + " subjects");
   require(design.nuisance.cols() == 0 || design.nuisance.rows() == subjects,
           std::to_string(design.nuisance.rows()) + " values of the nuisance for " + std::to_string(subjects) +
             " subjects");
   require(design.effect.allFinite() && design.nuisance.allFinite(), "a value of the design is not finite");
-  require(options.permutations >= 1, "no permutation");
-  require(options.componentsPerPlace >= 1 && options.componentsPerPlace <= 3, "1 to 3 components a place");
-  require(table.columns() > 0 && table.columns() % options.componentsPerPlace == 0,
-          std::to_string(table.columns()) + " columns, need some for each place");
+  require(componentsPerPlace >= 1 && componentsPerPlace <= 3, "1 to 3 components a place");
+  OrthonormalDesign  result = orthonormalised(design);
+  const Eigen::Index rank = result.nuisance.cols() + result.effect.cols();
+  require(subjects - rank >= static_cast<Eigen::Index>(componentsPerPlace),
+          std::to_string(subjects) + " subjects for " + std::to_string(rank) + " effects and " +
+            std::to_string(componentsPerPlace) + " components");
+  return result;
+}
+
+/** Effect and nuisance of every subject, without the columns that are left out. */
+Matrix
+differentRows(const LinearDesign & design, const std::vector<std::size_t> & nuisanceLeftOut)
+{
+  Matrix       rows(design.effect.rows(), design.effect.cols() + design.nuisance.cols());
+  Eigen::Index count = design.effect.cols();
+  rows.leftCols(count) = design.effect;
+  for (Eigen::Index column = 0; column < design.nuisance.cols(); ++column)
+  {
+    if (std::find(nuisanceLeftOut.begin(), nuisanceLeftOut.end(), static_cast<std::size_t>(column)) ==
+        nuisanceLeftOut.end())
+    {
+      rows.col(count++) = design.nuisance.col(column);
+    }
+  }
+  return rows.leftCols(count);
 }
 
 /** The columns that are permuted: the effect first, then the nuisance without the constant, to which residuals are
@@ -140,26 +173,24 @@ public:
   Test(const SubjectTable & table, const LinearDesign & design, const PermutationOptions & options)
     : m_Table(table)
     , m_Options(options)
-    , m_Design(orthonormalised(design))
+    , m_Design(testableDesign(design, options.componentsPerPlace))
     , m_Columns(permutedColumns(m_Design))
     , m_Effects(design.effect.cols())
     , m_Components(static_cast<Eigen::Index>(options.componentsPerPlace))
     , m_Places(static_cast<Eigen::Index>(table.columns() / options.componentsPerPlace))
   {
     const Eigen::Index rank = m_Design.nuisance.cols() + m_Effects;
-    const Eigen::Index subjects = design.effect.rows();
-    if (subjects - rank < m_Components)
-    {
-      throw InvalidInput("permutation test: " + std::to_string(subjects) + " subjects for " + std::to_string(rank) +
-                         " effects and " + std::to_string(m_Components) + " components");
-    }
-    m_Result.degreesOfFreedom = static_cast<std::size_t>(subjects - rank);
+    require(m_Places > 0 && table.columns() % options.componentsPerPlace == 0,
+            std::to_string(table.columns()) + " columns, need some for each place");
+    m_Result.degreesOfFreedom = static_cast<std::size_t>(design.effect.rows() - rank);
+    m_Result.nuisanceLeftOut = m_Design.nuisanceLeftOut;
     m_TwoValues = differenceOfTwoValues(design.effect);
-    Matrix rows(subjects, m_Effects + design.nuisance.cols());
-    rows << design.effect, design.nuisance;
-    m_Arrangements = arrangementsOf(rows, options.permutations, options.seed);
-    m_Result.isExact = m_Arrangements.isExact;
+    m_Arrangements =
+      arrangementsOf(differentRows(design, m_Design.nuisanceLeftOut), options.permutations, options.seed);
+    m_Result.areAllOrders = m_Arrangements.areAll;
+    m_Result.isExact = m_Arrangements.areAll && m_Design.nuisance.cols() == 1;
     m_Result.permutations = m_Arrangements.orders.size();
+    m_Result.smallestPossibleP = partOfEqualOrders();
   }
 
   PermutationResult
@@ -181,6 +212,38 @@ public:
   }
 
 private:
+  /** Calls work(first, last, products) for all orders from the subjects' own on, a batch at a time.
+   * \param numbers  N x any \param work  products: those of all columns in orders first to last - 1 with the numbers */
+  template <typename TWork>
+  void
+  forEachBatch(const Matrix & numbers, const TWork & work) const
+  {
+    const auto orders = static_cast<Eigen::Index>(m_Arrangements.orders.size());
+    for (Eigen::Index first = 0; first < orders; first += ordersPerBatch)
+    {
+      const Eigen::Index last = std::min(first + ordersPerBatch, orders);
+      work(first, last, Matrix(arranged(m_Columns, m_Arrangements, first, last).transpose() * numbers));
+    }
+  }
+
+  /** Part of the orders whose effect spans what the subjects' own does, such as those of two groups of one size that
+   * change places. Whatever the numbers, their V is not smaller: A^T A is the same, and B, which is 0 of the subjects'
+   * own order, can only make it larger. */
+  [[nodiscard]] double
+  partOfEqualOrders() const
+  {
+    const Eigen::Index columns = m_Columns.cols();
+    std::size_t        equal = 0;
+    forEachBatch(m_Columns.leftCols(m_Effects), [&](Eigen::Index first, Eigen::Index last, const Matrix & products) {
+      for (Eigen::Index order = first; order < last; ++order)
+      {
+        const double shared = products.middleRows(columns * (order - first), m_Effects).squaredNorm();
+        equal += isAtLeast(shared, static_cast<double>(m_Effects)) ? 1 : 0;
+      }
+    });
+    return static_cast<double>(equal) / static_cast<double>(m_Arrangements.orders.size());
+  }
+
   /** Fits the places, and leaves their white residuals. */
   Matrix
   fitPlaces(Eigen::Index begin, Eigen::Index count)
@@ -208,13 +271,9 @@ private:
   testPlaces(Eigen::Index begin, Eigen::Index count)
   {
     const Matrix             residuals = fitPlaces(begin, count);
-    const auto               orders = static_cast<Eigen::Index>(m_Arrangements.orders.size());
     std::vector<double>      largest(m_Arrangements.orders.size(), 0.0);
     std::vector<std::size_t> atLeast(static_cast<std::size_t>(count), 0);
-    for (Eigen::Index first = 0; first < orders; first += ordersPerBatch)
-    {
-      const Eigen::Index last = std::min(first + ordersPerBatch, orders);
-      const Matrix       products = arranged(m_Columns, m_Arrangements, first, last).transpose() * residuals;
+    forEachBatch(residuals, [&](Eigen::Index first, Eigen::Index last, const Matrix & products) {
       for (Eigen::Index place = 0; place < count; ++place)
       {
         for (Eigen::Index order = first; order < last; ++order)
@@ -231,11 +290,11 @@ private:
           largestOfOrder = std::max(largestOfOrder, part);
         }
       }
-    }
+    });
     for (Eigen::Index place = 0; place < count; ++place)
     {
       m_Result.p[begin + place] =
-        static_cast<double>(atLeast[static_cast<std::size_t>(place)]) / static_cast<double>(orders);
+        static_cast<double>(atLeast[static_cast<std::size_t>(place)]) / static_cast<double>(largest.size());
     }
     return largest;
   }
@@ -297,6 +356,12 @@ private:
 };
 
 } // namespace
+
+void
+requireTestable(const LinearDesign & design, std::size_t componentsPerPlace)
+{
+  (void)testableDesign(design, componentsPerPlace);
+}
 
 PermutationResult
 permutationTest(const SubjectTable & table, const LinearDesign & design, const PermutationOptions & options)

@@ -11,6 +11,7 @@ namespace
 
 constexpr double smallestPart = 1e-14;   ///< of |y|
 constexpr double smallestGap = 1e-14;    ///< of the largest d: nearer ones are the same
+constexpr double smallestMode = 1e-10;   ///< of the largest d, as for fitShapeModel: below it is rounding
 constexpr int    maximumBisections = 80; ///< of the logarithm-like search; doubles have 53 bits
 
 struct Pole
@@ -95,6 +96,10 @@ downdatedModes(const Eigen::VectorXd & d, const Eigen::VectorXd & y, double rho,
     const bool   isLast = k + 1 == poles.size();
     const double lower = isLast ? poles[k].d - 2.0 * rho * y.squaredNorm() : poles[k + 1].d;
     modes.push_back(rootBelow(poles, k, lower, rho));
+    if (modes.back().eigenvalue <= smallestMode * d[0])
+    {
+      modes.back().explained = 0.0; // a direction in which y alone lies: there is no such mode
+    }
   }
   std::stable_sort(modes.begin(), modes.end(), [](const DowndatedMode & a, const DowndatedMode & b) {
     return a.eigenvalue > b.eigenvalue;

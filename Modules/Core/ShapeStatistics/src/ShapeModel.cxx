@@ -17,6 +17,10 @@ using Vector = Eigen::VectorXd;
 /** Of the largest variance; below it is rounding. */
 constexpr double smallestVariance = 1e-10;
 
+/** Of the mean's length. Copies of one shape that lie elsewhere and are turned differ after alignment by the rounding
+ * of their coordinates and turns, some 1e-16 to 1e-14 of that; no measurement is so precise. */
+constexpr double smallestDeviation = 1e-12;
+
 constexpr std::size_t covarianceSlabBytes = std::size_t{ 4 } << 20;
 
 Eigen::Index
@@ -126,7 +130,8 @@ fitShapeModel(const SubjectTable & table, const ShapeModelOptions & options)
   }
   const Vector ascending = solver.eigenvalues();
   const double largest = ascending[ascending.size() - 1];
-  if (!(largest > 0.0))
+  const double rounding = smallestDeviation * smallestDeviation * result.model.mean.squaredNorm();
+  if (!(largest > static_cast<double>(gram.rows()) * rounding))
   {
     throw InvalidInput("shape model: the subjects are all the same");
   }

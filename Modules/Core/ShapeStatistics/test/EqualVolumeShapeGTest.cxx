@@ -77,6 +77,22 @@ TEST(EqualVolumeShape, CellsTurnedOverAreReworked)
   EXPECT_NE(result.way, EqualVolumeWay::Projection);
 }
 
+TEST(EqualVolumeShape, WhereNoWayIsExactTheNearestIsKept)
+{
+  // A dent to the middle of one side. Free is tried last, and comes less near than tied.
+  HexMesh mean = softCube(6);
+  mean.nodes[mean.nodeNumber(5, 2, 2)] = mean.nodes[mean.nodeNumber(2, 2, 2)];
+  const EqualVolumeShape tied = equalVolumeShape(mean, { EqualVolumeWay::Tied, 1 });
+  const EqualVolumeShape all = equalVolumeShape(mean, oneThread);
+  EXPECT_FALSE(all.exact);
+  EXPECT_EQ(all.way, EqualVolumeWay::Tied);
+  EXPECT_EQ(all.certified.positive, all.mesh.cellCount());
+  EXPECT_EQ(all.boundaryDistance, tied.boundaryDistance);
+  ASSERT_EQ(all.shortcomings.size(), 1u);
+  EXPECT_NE(all.shortcomings[0].find("the boundary is "), std::string::npos);
+  EXPECT_GT(all.largestMove, 0.0);
+}
+
 TEST(EqualVolumeShape, TheSameForAnyNumberOfThreads)
 {
   const EqualVolumeShape one = equalVolumeShape(softCube(6), oneThread);

@@ -94,6 +94,25 @@ TEST(ModelQuality, GeneralisationEqualsModelsWithoutOneSubject)
   }
 }
 
+TEST(ModelQuality, ADirectionThatOneSubjectSpansIsNotInTheModelOfTheOthers)
+{
+  // A, A, B, C in a plane: without B, or C, the others lie on a line. D, twice, is out of it.
+  Matrix four(4, coordinates);
+  four << someShapes(3).row(0), someShapes(3);
+  Matrix six(6, coordinates);
+  six << four, someShapes(4).row(3), someShapes(4).row(3);
+  for (const Matrix & values : { four, six })
+  {
+    const auto         fit = fitShapeModel(MatrixTable(values));
+    const ModelQuality quality = modelQuality(fit.scores, coordinates / 3);
+    for (std::size_t modes = 1; modes <= quality.generalisation.size(); ++modes)
+    {
+      EXPECT_NEAR(quality.generalisation[modes - 1], generalisationByHand(values, modes), 1e-7) << modes << " modes";
+    }
+    EXPECT_GT(quality.generalisation.back(), 0.1);
+  }
+}
+
 TEST(ModelQuality, SpecificityOfManySamplesOfOneModeIsTheIntegral)
 {
   // Subjects at -1, 0 and 1 mm, of one point: the mean distance of N(0,1) to the nearest is 0.350 mm.

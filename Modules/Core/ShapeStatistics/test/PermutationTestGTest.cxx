@@ -5,6 +5,7 @@
 #include "NullData.h"
 #include "TestShapes.h"
 #include "moserhex/Analytic/Refusals.h"
+#include "moserhex/ShapeStatistics/GroupDesign.h"
 
 #include <Eigen/QR>
 
@@ -93,12 +94,74 @@ TEST(PermutationTest, TheNumberOfOrdersCountsEqualSubjectsOnce)
   Matrix rows(5, 2);
   rows << 0, 1, 0, 1, 1, 1, 0, 2, 0, 1;
   const Arrangements all = arrangementsOf(rows, 100, 1);
-  EXPECT_TRUE(all.isExact);
+  EXPECT_TRUE(all.areAll);
   EXPECT_EQ(all.orders.size(), 20u); // 5! / 3!
   EXPECT_EQ(all.orders.front(), (std::vector<std::uint16_t>{ 0, 0, 2, 3, 0 }));
   const Arrangements some = arrangementsOf(rows, 18, 1);
-  EXPECT_FALSE(some.isExact);
+  EXPECT_FALSE(some.areAll);
   EXPECT_EQ(some.orders.size(), 19u);
+}
+
+TEST(PermutationTest, GroupsOfOneSizeThatChangePlacesAreAsGood)
+{
+  // The best that two groups of four can do is 2 of 70 orders, of five 2 of 252; of three pairs 3! of 90.
+  const auto apart = [](Eigen::Index subjects, const Matrix & effect) {
+    return permutationTest(MatrixTable(Vector::LinSpaced(subjects, 1.0, 2.0).array().pow(8).matrix()),
+                           { effect, Matrix(subjects, 0) },
+                           scalars(10000));
+  };
+  EXPECT_NEAR(apart(8, groups(8)).smallestPossibleP, 2.0 / 70.0, 1e-15);
+  EXPECT_NEAR(apart(8, groups(8)).p[0], 2.0 / 70.0, 1e-15);
+  EXPECT_NEAR(apart(8, groups(8)).pFamilyWise[0], 2.0 / 70.0, 1e-15);
+  EXPECT_NEAR(apart(10, groups(10)).smallestPossibleP, 2.0 / 252.0, 1e-15);
+  EXPECT_NEAR(apart(10, groups(10)).p[0], 2.0 / 252.0, 1e-15);
+  EXPECT_NEAR(apart(6, groupColumns({ 0, 0, 1, 1, 2, 2 }, 3)).smallestPossibleP, 6.0 / 90.0, 1e-15);
+  EXPECT_NEAR(apart(7, groups(7)).smallestPossibleP, 1.0 / 35.0, 1e-15);
+  const Vector unevenlySpaced = Vector::LinSpaced(6, 1.0, 2.0).array().square();
+  EXPECT_NEAR(apart(6, unevenlySpaced).smallestPossibleP, 1.0 / 720.0, 1e-15);
+  EXPECT_NEAR(apart(6, Vector::LinSpaced(6, 1.0, 2.0)).smallestPossibleP, 2.0 / 720.0, 1e-15); // and backwards
+}
+
+TEST(PermutationTest, AllOrdersAreNotExactWithANuisance)
+{
+  Vector sex(8);
+  sex << 0, 0, 1, 1, 0, 0, 1, 1;
+  Random       random(23);
+  const Matrix y = groups(8) * Matrix::Constant(1, 40, 9.0) + normalMatrix(8, 40, random);
+  const auto   result = permutationTest(MatrixTable(y), { groups(8), sex }, scalars(10000));
+  EXPECT_EQ(result.permutations, 2520u); // 8! / 2!^4
+  EXPECT_TRUE(result.areAllOrders);
+  EXPECT_FALSE(result.isExact);
+  EXPECT_NEAR(result.smallestPossibleP, 2.0 / 70.0, 1e-15); // sexes may go anywhere
+  EXPECT_NEAR(result.p.minCoeff(), result.smallestPossibleP, 1e-15);
+  EXPECT_TRUE(permutationTest(MatrixTable(y), { groups(8), Vector::Constant(8, 3.6) }, scalars(10000)).isExact);
+}
+
+TEST(PermutationTest, ACovariateThatFollowsFromOthersIsLeftOut)
+{
+  Random       random(24);
+  const Vector age = 61.3 + 9.7 * normalMatrix(40, 1, random).col(0).array();
+  const Vector volume = 41.7 + 6.1 * normalMatrix(40, 1, random).col(0).array();
+  Matrix       sites = Matrix::Zero(40, 3);
+  for (Eigen::Index i = 0; i < 40; ++i)
+  {
+    sites(i, i % 3) = 1.0;
+  }
+  Matrix all(40, 8);
+  all << age, Vector(2024.1 - age.array()), volume, 1e-3 * volume, Vector::Constant(40, 3.6), sites;
+  Matrix few(40, 4);
+  few << age, volume, sites.leftCols(2);
+  const MatrixTable  table(Matrix(normalMatrix(40, 3 * 30, random)));
+  PermutationOptions options = scalars(200);
+  options.componentsPerPlace = 3;
+  const auto expected = permutationTest(table, { groups(40), few }, options);
+  const auto result = permutationTest(table, { groups(40), all }, options);
+  EXPECT_EQ(result.nuisanceLeftOut, (std::vector<std::size_t>{ 1, 3, 4, 7 }));
+  EXPECT_TRUE(expected.nuisanceLeftOut.empty());
+  EXPECT_EQ(result.degreesOfFreedom, 34u); // 40 less constant, age, volume, two sites and the effect
+  EXPECT_LT((result.statistic - expected.statistic).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LE(result.pillaiTrace.maxCoeff(), 1.0);
+  EXPECT_EQ(result.p, expected.p);
 }
 
 TEST(PermutationTest, PValuesOfNullDataAreUniform)
@@ -232,6 +295,14 @@ TEST(PermutationTest, Refusals)
   EXPECT_EQ(refusal(group, Matrix(6, 0), 4), "permutation test: 1 to 3 components a place");
   EXPECT_EQ(refusal(group, normalMatrix(6, 3, random), 3),
             "permutation test: 6 subjects for 5 effects and 3 components");
+  EXPECT_EQ(analytic::messageOf([&] {
+              requireTestable({ group, normalMatrix(6, 3, random) });
+            }),
+            "permutation test: 6 subjects for 5 effects and 3 components");
+  EXPECT_EQ(analytic::messageOf([&] {
+              requireTestable({ Vector::Constant(6, 3.6), Matrix(6, 0) });
+            }),
+            "permutation test: the effect is constant, or the nuisance explains it");
   Vector bad = group;
   bad[0] = std::nan("");
   EXPECT_EQ(refusal(bad, Matrix(6, 0), 3), "permutation test: a value of the design is not finite");

@@ -3,6 +3,7 @@
 
 #include "TestShapes.h"
 #include "moserhex/Analytic/Refusals.h"
+#include "moserhex/ShapeStatistics/Procrustes.h"
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -135,6 +136,32 @@ TEST(ShapeModel, TheCovarianceOfAPointIsThatOfItsCoordinates)
   const Matrix centred = values.rowwise() - values.colwise().mean();
   EXPECT_NEAR(covariances[7](0, 2), centred.col(21).dot(centred.col(23)) / 24.0, 1e-13);
   EXPECT_NEAR(covariances[7](1, 1), centred.col(22).squaredNorm() / 24.0, 1e-13);
+}
+
+TEST(ShapeModel, CopiesOfOneShapeThatLieElsewhereAreAllTheSame)
+{
+  const Positions        shape = softCube(6).nodes;
+  std::vector<Positions> copies;
+  for (int i = 0; i < 6; ++i)
+  {
+    Positions copy = shape;
+    for (Vector3 & p : copy)
+    {
+      p = turnOf(0.3 * i, Vector3(1, i, 2)) * p + Vector3(200.0 * i, -1000.0, 31.4 * i);
+    }
+    copies.push_back(copy);
+  }
+  const auto alignment = generalisedProcrustes(copies.size(), [&](std::size_t subject) { return copies[subject]; }, {});
+  Matrix     aligned(6, static_cast<Eigen::Index>(3 * shape.size()));
+  for (std::size_t i = 0; i < copies.size(); ++i)
+  {
+    aligned.row(static_cast<Eigen::Index>(i)) =
+      coordinatesOf(transformed(copies[i], alignment.transforms[i])).transpose();
+  }
+  EXPECT_EQ(analytic::messageOf([&] { (void)fitShapeModel(MatrixTable(aligned)); }),
+            "shape model: the subjects are all the same");
+  aligned(2, 7) += 1e-4; // a tenth of a micrometre is a difference
+  EXPECT_EQ(fitShapeModel(MatrixTable(aligned)).model.modes.cols(), 1);
 }
 
 TEST(ShapeModel, Refusals)

@@ -47,7 +47,8 @@ struct EqualVolumeShape
  * First by projectOntoEqualMeasure alone, which moves the nodes least: boundary nodes stay on the surface to first
  * order. Where that is not exact, by equaliseVolumes with the mesh's own boundary
  * as the organ's surface, held to the mesh given (LatticeTies::reference) ever less; in the end without. A mesh
- * with padding is not held.
+ * with padding is not held. Where no way leads to an exact mesh, it is that of the way that came nearest: the most
+ * certified cells, then the outline, then the variance.
  *
  * \param shape  n >= 3 nodes a side; with padding all cells count
  * \throws InvalidInput  as requireValid(shape), n < 3, or a shape that is no solid: as measureEquality and

@@ -53,7 +53,8 @@ randomScores(const Eigen::VectorXd & variances, std::size_t sample, std::uint64_
  *
  * so that its variances are the roots mu of the secular equation 1 = rho sum_j y_j^2 / (d_j - mu), one between each two
  * d, and what a mode of theirs explains of the subject (rho y_i from their mean) is 1 / sum_j y_j^2 / (d_j - mu)^2
- * [golub1973]: O(N M r) a subject instead of a decomposition. The subjects stay aligned as they are.
+ * [golub1973]: O(N M r) a subject instead of a decomposition. A mu of at most 1e-10 of the largest d is 0: a direction
+ * that only subject i spans, no mode of the others. The subjects stay aligned as they are.
  *
  * Specificity draws randomScores of k <= m modes; a sample has the same b_k for every m.
  *

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace moserhex
 {
@@ -40,8 +41,11 @@ struct PermutationResult
   Eigen::VectorXd
               standardisedDifference; ///< effect of two values: Cohen's d, of vectors Mahalanobis' D; else empty [1]
   std::size_t permutations{ 0 };      ///< made, the subjects' own order among them
-  bool        isExact{ false };       ///< all that there are
+  bool        areAllOrders{ false };  ///< all that there are were made
+  bool        isExact{ false };       ///< the p are exact: all orders were made, and there is no nuisance but constants
+  double      smallestPossibleP{ 1 }; ///< below it no p and no pFamilyWise can be with these orders, whatever the data
   std::size_t degreesOfFreedom{ 0 };  ///< N less the rank of constant, nuisance and effect
+  std::vector<std::size_t> nuisanceLeftOut; ///< its columns that are constant, or explained by those before them
 };
 
 /** Tests at every place whether an effect explains the subjects' numbers, beyond a constant and nuisance covariates.
@@ -61,7 +65,15 @@ struct PermutationResult
  * p = part of the permutations, the subjects' own order among them, with a V at least as large [phipson2010]; family-
  * wise: with a largest V over all places at least as large [nichols2002]; q: Benjamini and Hochberg. Subjects of
  * equal effect and nuisance are interchangeable: when there are no more different orders than `permutations`, all are
- * made and the p are exact. Null hypotheses of all places but those with an effect may hold: control is strong.
+ * made, and without nuisance the p are exact (with it they are asymptotically, as residuals of a fit are permuted).
+ * Null hypotheses of all places but those with an effect may hold: control is strong.
+ *
+ * Orders whose effect, without what the nuisance explains, spans the subjects' own have a V at least as large, whatever
+ * the data: two groups of one size that change places. So p is at least the part of such orders (smallestPossibleP):
+ * 2 / 70 of 4 against 4 subjects, 1 / 35 of 4 against 3.
+ *
+ * Columns of the nuisance that are constant (they vary by less than 1e-10 of their length), or of which those before
+ * leave less than 1e-5 of the length about the mean, are left out: they take nothing away, and no degree of freedom.
  *
  * \throws InvalidInput  other numbers of subjects, more than 65535, fewer degrees of freedom than q, a number of the
  * design or the table that is not finite, no effect, or a column of it that is constant or explained by the nuisance
@@ -70,6 +82,11 @@ struct PermutationResult
  * number of threads. */
 [[nodiscard]] PermutationResult
 permutationTest(const SubjectTable & table, const LinearDesign & design, const PermutationOptions & options = {});
+
+/** Finds what permutationTest would refuse of a design before there are any data for it.
+ * \param componentsPerPlace  q, 1 to 3 \throws InvalidInput  as permutationTest, of what the design alone decides */
+void
+requireTestable(const LinearDesign & design, std::size_t componentsPerPlace = 3);
 
 /** q-values of Benjamini and Hochberg [benjamini1995]: q_(i) = min over j >= i of min(1, m p_(j) / j), p ascending. */
 [[nodiscard]] Eigen::VectorXd

@@ -44,8 +44,8 @@ struct ShapeModelResult
  * of a mode is that which makes its component of largest magnitude (the first among equals) positive. Modes below 1e-10
  * of the largest variance are rounding, as G squares the numbers, and are left out.
  *
- * \throws InvalidInput  fewer than two subjects, a value that is not finite, subjects that are all the same, or options
- * out of range
+ * \throws InvalidInput  fewer than two subjects, a value that is not finite, subjects that are all the same (their root
+ * mean square distance to the mean is below 1e-12 of the mean's length, which is rounding), or options out of range
  * \throws NotConverged  the eigenvalues were not found
  * \note O(N^2 D + N^3) time; memory of slabs, G and the modes kept. Deterministic for any number of threads. */
 [[nodiscard]] ShapeModelResult
