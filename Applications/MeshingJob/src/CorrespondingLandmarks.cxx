@@ -13,10 +13,12 @@ namespace
 constexpr const char * remedy = "give the same points in both lists, with the same labels";
 
 std::vector<ListedPoint>
-placedPoints(const std::string & fileName)
+placedPoints(const std::string & fileName, std::vector<std::string> & warnings)
 {
+  PointList list = readPoints(fileName);
+  warnings.insert(warnings.end(), list.warnings.begin(), list.warnings.end());
   std::vector<ListedPoint> placed;
-  for (ListedPoint & point : readPoints(fileName).points)
+  for (ListedPoint & point : list.points)
   {
     if (point.position)
     {
@@ -46,11 +48,11 @@ byLabel(const std::vector<ListedPoint> & points)
 CorrespondingLandmarks
 readLandmarks(const std::string & templateFile, const std::string & solidFile)
 {
-  const std::vector<ListedPoint> ofTemplate = placedPoints(templateFile);
-  const std::vector<ListedPoint> ofSolid = placedPoints(solidFile);
+  CorrespondingLandmarks         result;
+  const std::vector<ListedPoint> ofTemplate = placedPoints(templateFile, result.warnings);
+  const std::vector<ListedPoint> ofSolid = placedPoints(solidFile, result.warnings);
   const auto                     labelsOfTemplate = byLabel(ofTemplate);
   const auto                     labelsOfSolid = byLabel(ofSolid);
-  CorrespondingLandmarks         result;
   if (labelsOfTemplate && labelsOfSolid)
   {
     for (const auto & [label, position] : *labelsOfTemplate)
