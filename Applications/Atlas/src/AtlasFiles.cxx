@@ -4,10 +4,10 @@
 #include "AtlasTestFiles.h"
 #include "MeanLabelmap.h"
 #include "PageName.h"
-#include "TransferFiles.h"
 #include "Version.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
+#include "moserhex/HexMeshIO/FieldImageWriter.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 #include "moserhex/HexMeshIO/LabelImageWriter.h"
 
@@ -54,7 +54,7 @@ writeMean(const AtlasResult & result, const AtlasOptions & options)
 void
 writeCubeImages(const MeanImage & images, const AtlasOptions & options)
 {
-  writeFieldImage(inFolder(options, "mean_image_cube.nrrd"), images.mean, valuesOf({}, images.mean));
+  writeFieldImage(inFolder(options, "mean_image_cube.nrrd"), images.mean, images.kind);
   writeFieldImage(inFolder(options, "sd_image_cube.nrrd"), images.deviation);
 }
 
@@ -77,7 +77,7 @@ writeTemplate(AtlasResult & result, const AtlasOptions & options)
   if (result.images)
   {
     const FieldVolume image = imageInMesh(result.images->mean, result.mean.mesh, labels, options.threads);
-    writeFieldImage(inFolder(options, "mean_image.nrrd"), image, valuesOf({}, image));
+    writeFieldImage(inFolder(options, "mean_image.nrrd"), image, result.images->kind);
   }
 }
 

@@ -72,6 +72,7 @@ momentsInOrgan(const HexMesh & mesh, const SubjectFunction & f, const CubeMeanOp
 struct CarriedImage
 {
   FieldVolume image;
+  FieldValues kind{ FieldValues::Numbers };
   std::string flaw; ///< empty: none
 };
 
@@ -83,6 +84,7 @@ carried(const FieldImage & image, const HexMesh & mesh, const AtlasOptions & opt
   const int             cells = mesh.nodesPerSide - 1;
   const bool            atNodes = options.imageSampling == "nodes";
   CarriedImage          result;
+  result.kind = image.kind;
   result.image =
     atNodes
       ? cubeNodeSamples(mesh, std::cref(f), f.components(), options.threads)
@@ -98,8 +100,9 @@ carried(const FieldImage & image, const HexMesh & mesh, const AtlasOptions & opt
   }
   if (f.partBeyond() > 0.0)
   {
-    char text[80];
-    std::snprintf(text, sizeof text, "%.3g %% of the mesh lies beyond the image", 100.0 * f.partBeyond());
+    char text[120];
+    std::snprintf(
+      text, sizeof text, "%.3g %% of the mesh lies beyond the image or on voxels without data", 100.0 * f.partBeyond());
     result.flaw = text;
     return result;
   }
@@ -239,6 +242,7 @@ meanImage(const AtlasSubjects &               subjects,
       {
         result.mean = image.image;
         result.values = fileForTests(result.mean, files.size(), options);
+        result.kind = image.kind;
       }
       requireSameComponents(*files[i], image.image, result.mean.components);
       moments.add(image.image.values);

@@ -3,6 +3,7 @@
 #include "AtlasOptions.h"
 #include "AtlasSubjects.h"
 #include "SubjectMeshes.h"
+#include "moserhex/HexMeshIO/FieldValues.h"
 #include "moserhex/LevelSet/FieldVolume.h"
 
 #include <functional>
@@ -18,6 +19,7 @@ struct MeanImage
 {
   FieldVolume              mean;      ///< on cubeGrid; of images of several components each by itself
   FieldVolume              deviation; ///< standard deviation over the subjects, divisor N - 1
+  FieldValues              kind{ FieldValues::Numbers }; ///< of the subjects' images, as the first one's file says
   std::size_t              subjects{ 0 };
   std::vector<std::string> leftOut; ///< names of the other subjects
   std::vector<bool>        isKnown; ///< of every subject: is in the mean

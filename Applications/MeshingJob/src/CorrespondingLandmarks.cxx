@@ -13,6 +13,14 @@ namespace
 
 constexpr const char * remedy = "give the same points in both lists, each with a label of its own";
 
+std::vector<ListedPoint>
+pointsOf(const std::string & fileName, std::vector<std::string> & warnings)
+{
+  PointList list = readPoints(fileName);
+  warnings.insert(warnings.end(), list.warnings.begin(), list.warnings.end());
+  return std::move(list.points);
+}
+
 /** Whether all points have labels of their own; else none has one.
  * \throws BadInput  only some have a label, or two have the same */
 bool
@@ -101,8 +109,9 @@ pairedByRow(const std::vector<ListedPoint> & ofTemplate,
 CorrespondingLandmarks
 readLandmarks(const std::string & templateFile, const std::string & solidFile)
 {
-  const std::vector<ListedPoint> ofTemplate = readPoints(templateFile).points;
-  const std::vector<ListedPoint> ofSolid = readPoints(solidFile).points;
+  CorrespondingLandmarks         result;
+  const std::vector<ListedPoint> ofTemplate = pointsOf(templateFile, result.warnings);
+  const std::vector<ListedPoint> ofSolid = pointsOf(solidFile, result.warnings);
   const bool                     byLabel = isLabelled(ofTemplate, templateFile);
   if (isLabelled(ofSolid, solidFile) != byLabel)
   {
@@ -111,7 +120,6 @@ readLandmarks(const std::string & templateFile, const std::string & solidFile)
                    "its landmarks have no labels, those of the other list have",
                    remedy);
   }
-  CorrespondingLandmarks result;
   result.points = byLabel ? pairedByLabel(ofTemplate, ofSolid) : pairedByRow(ofTemplate, ofSolid, solidFile);
   if (result.points.empty())
   {

@@ -36,6 +36,7 @@ addTransferCommand(CLI::App & program, TransferCommandOptions & transfer)
       "--sampling", options.sampling, "Of the cube: cells (means), nodes (values), or means of N boxes per axis")
     ->capture_default_str();
   command->add_flag("--labels", options.labels, "The image is a labelmap: nearest voxel, the label of most of a cell");
+  command->add_option("--segment", options.segment, "With --labels, one segment of a .seg.nrrd: name, ID or number");
   command->add_flag("--fractions", options.fractions, "The part of each cell in each label instead of the label");
   command->add_flag(
     "--conserve", options.conserve, "The image is a density: its integral over the organ stays the same");
@@ -45,9 +46,9 @@ addTransferCommand(CLI::App & program, TransferCommandOptions & transfer)
       "--values-in", options.valuesIn, "Space of the vectors or tensors to rotate: LPS or RAS [as the file says]")
     ->check(CLI::IsMember({ "LPS", "RAS" }));
   command->add_flag("--nearest", options.nearest, "Value of the nearest voxel instead of linear interpolation");
-  command->add_option("--background", options.background, "Value of voxels outside of the organ")
+  command->add_option("--background", options.background, "Value of voxels outside of the organ; with --labels a label")
     ->capture_default_str();
-  command->add_option("--points", options.pointsPerAxis, "Gauss points along a cell [two for each voxel]")
+  command->add_option("--points", options.pointsPerAxis, "Gauss points along a cell to start with [two for each voxel]")
     ->check(CLI::Range(2, 48));
   command->add_flag(
     "!--no-sandbox", options.sandbox, "Read files in this process instead of a child with limits of memory and time");

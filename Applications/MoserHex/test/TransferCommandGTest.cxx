@@ -3,11 +3,14 @@
 
 #include "moserhex/CubeTransfer/CubeImage.h"
 #include "moserhex/CubeTransfer/CubeMap.h"
+#include "moserhex/CubeTransfer/CubeSamples.h"
+#include "moserhex/CubeTransfer/FieldFunction.h"
 #include "moserhex/HexMeshIO/FieldImageReader.h"
 #include "moserhex/HexMeshIO/FieldImageWriter.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <numeric>
 
@@ -219,7 +222,7 @@ TEST_F(TransferCommand, AnotherSubjectGetsTheValuesOfTheSamePlaces)
 TEST_F(TransferCommand, ADensityKeepsItsMassInAnotherSubject)
 {
   const Outcome there =
-    run({ "transfer", path("smooth.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd") });
+    run({ "transfer", path("smooth.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd"), "--conserve" });
   const double integral = std::stod(there.out.substr(there.out.find(": ") + 2));
   transfer({ path("smooth.nrrd"),
              "--mesh",
@@ -577,4 +580,367 @@ TEST_F(TransferCommand, VectorsOfAnUnknownSpaceAreTurnedWhenItIsSaid)
   expectErrorCode(
     run({ "transfer", path("lps.nii"), "--mesh", path("a.vtu"), "--to-cube", path("d.nrrd"), "--values-in", "LPS" }),
     "E_USAGE");
+}
+
+TEST_F(TransferCommand, TheIntegralOfADensityIsStatedWithItsError)
+{
+  const std::vector<std::string> start{ "transfer", path("smooth.nrrd"), "--mesh", path("a.vtu"), "--conserve" };
+  std::vector<std::string>       cube = start;
+  cube.insert(cube.end(), { "--to-cube", path("cube.nrrd") });
+  const Outcome there = run(cube);
+  ASSERT_EQ(there.exitCode, 0) << there.error;
+  EXPECT_EQ(there.error, "");
+  double integral = 0.0;
+  double error = 1.0;
+  ASSERT_EQ(std::sscanf(there.out.c_str(), "integral over the mesh: %lf +- %lf,", &integral, &error), 2) << there.out;
+  EXPECT_GT(error, 0.0);
+  EXPECT_LE(error, 1e-6 * integral);
+  const FieldVolume   smoothImage = image("smooth.nrrd");
+  const FieldFunction f(smoothImage, ImageInterpolation::Linear);
+  const auto          finest = cubeMeans(
+    m_Mesh, [&f](const CubePoint & p, double * value) { (void)f.evaluate(p.position, value); }, 1, { 0, 24, 0 });
+  const double expected =
+    std::inner_product(finest.volumes.begin(), finest.volumes.end(), finest.image.values.begin(), 0.0);
+  EXPECT_NEAR(integral, expected, 1e-6 * expected);
+
+  std::vector<std::string> other = start;
+  other.insert(other.end(), { "--to-mesh", path("b.vtu"), "--to-image", path("out.nrrd"), "--spacing", "2" });
+  const Outcome on = run(other);
+  ASSERT_EQ(on.exitCode, 0) << on.error;
+  EXPECT_EQ(on.out.substr(0, on.out.find(',')), there.out.substr(0, there.out.find(',')));
+}
+
+TEST_F(TransferCommand, NothingIsWrittenWhereTheImageDoesNotReachTheMesh)
+{
+  FieldVolume far = imageOf(1, [](const Vector3 &, std::vector<double> & values) { values.push_back(1.0); });
+  far.origin[0] -= 1000.0;
+  writeFieldImage(path("far.nrrd"), far);
+  expectErrorCode(run({ "transfer",
+                        path("far.nrrd"),
+                        "--mesh",
+                        path("a.vtu"),
+                        "--to-mesh",
+                        path("b.vtu"),
+                        "--to-image",
+                        path("out.nrrd"),
+                        "--like",
+                        path("smooth.nrrd") }),
+                  "E_GEOMETRY");
+  EXPECT_EQ(fileCount(), 4U); // no out.nrrd
+}
+
+TEST_F(TransferCommand, PointsWithoutAPlaceAreAnError)
+{
+  std::ofstream(path("subject.csv")) << "label,x,y,z\na,20,15,8\n";
+  std::ofstream(path("far.csv")) << "label,x,y,z\na,200,0,0\nb,,,\n";
+  std::ofstream(path("beyond.csv")) << "label,c1,c2,c3\na,0.5,0.5,1.5\n";
+  std::ofstream(path("empty.csv")) << "label,x,y,z\n";
+  std::ofstream(path("empty.fcsv")) << "";
+  const auto from = [this](const std::string & input, const std::vector<std::string> & to) {
+    std::vector<std::string> arguments{ "transfer", path(input), "--mesh", path("a.vtu") };
+    arguments.insert(arguments.end(), to.begin(), to.end());
+    return run(arguments);
+  };
+  const std::size_t files = fileCount();
+  const Outcome     withoutCube = from("subject.csv", { "--to-points", path("out.csv") });
+  expectErrorCode(withoutCube, "E_USAGE");
+  EXPECT_NE(withoutCube.error.find("--to-mesh"), std::string::npos) << withoutCube.error;
+  expectErrorCode(from("far.csv", { "--to-cube", path("out.csv") }), "E_GEOMETRY");
+  expectErrorCode(from("beyond.csv", { "--to-points", path("out.csv") }), "E_GEOMETRY");
+  expectErrorCode(from("empty.csv", { "--to-cube", path("out.csv") }), "E_EMPTY");
+  expectErrorCode(from("empty.fcsv", { "--to-mesh", path("b.vtu"), "--to-points", path("out.csv") }), "E_EMPTY");
+  EXPECT_EQ(fileCount(), files);
+}
+
+TEST_F(TransferCommand, AnUnknownSystemOfFiducialsIsAWarning)
+{
+  std::ofstream(path("p.fcsv")) << "1,-20,-15,8,0,0,0,1,1,1,0,+L1,,,2,0\n";
+  const Outcome outcome = run({ "transfer", path("p.fcsv"), "--mesh", path("a.vtu"), "--to-cube", path("q.csv") });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("no CoordinateSystem: points taken as RAS"), std::string::npos) << outcome.error;
+  EXPECT_NE(contentOf(path("q.csv")).find("\n+L1,,20,15,8,0."), std::string::npos) << contentOf(path("q.csv"));
+}
+
+namespace
+{
+
+/** 1 nearly everywhere, 2 in one voxel in the middle of the bar. */
+void
+withSmallLabel(const Vector3 & p, std::vector<double> & values)
+{
+  values.push_back((p - Vector3(19.6, 15.0, 9.2)).cwiseAbs().maxCoeff() < 0.45 ? 2.0 : 1.0);
+}
+
+} // namespace
+
+TEST_F(TransferCommand, ALabelThatHasNoPlaceAnyMoreIsAWarning)
+{
+  writeFieldImage(path("labels.nrrd"), imageOf(1, withSmallLabel), FieldValues::Labels);
+  const std::vector<std::string> start{ "transfer", path("labels.nrrd"), "--mesh", path("a.vtu"), "--labels" };
+  const auto                     with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), start.begin(), start.end());
+    return run(more);
+  };
+  const Outcome cells = with({ "--to-cube", path("cube.nrrd") });
+  EXPECT_EQ(cells.exitCode, 0) << cells.error;
+  EXPECT_NE(cells.error.find("label 2 has "), std::string::npos) << cells.error;
+  EXPECT_NE(
+    cells.error.find(" mm3 in the organ, but is in no box of the cube; take --sampling N above 7, or --fractions"),
+    std::string::npos)
+    << cells.error;
+  double             before = 0.0;
+  double             after = -1.0;
+  const char * const line = std::strstr(cells.out.c_str(), "label 2: ");
+  ASSERT_NE(line, nullptr) << cells.out;
+  ASSERT_EQ(std::sscanf(line, "label 2: %lf mm3 in the organ, %lf mm3 in the cube", &before, &after), 2) << line;
+  EXPECT_NEAR(before, 0.9 * 1.0 * 1.7, 0.8); // a voxel, by some 16 points in it
+  EXPECT_EQ(after, 0.0);
+  EXPECT_EQ(with({ "--to-cube", path("cube.nrrd"), "--fractions" }).error, "");
+  EXPECT_EQ(with({ "--to-cube", path("cube.nrrd"), "--sampling", "60" }).error, "");
+  EXPECT_NE(with({ "--to-cube", path("cube.nrrd"), "--sampling", "nodes" }).error.find("in no node of the cube"),
+            std::string::npos);
+  const std::vector<std::string> coarse{ "--to-mesh", path("b.vtu"), "--to-image", path("out.nrrd"), "--spacing", "7" };
+  EXPECT_NE(with(coarse).error.find("in no voxel; take smaller voxels"), std::string::npos);
+}
+
+TEST_F(TransferCommand, AnEmptyLabelmapIsTransferred)
+{
+  writeFieldImage(path("labels.nrrd"),
+                  imageOf(1, [](const Vector3 &, std::vector<double> & values) { values.push_back(0.0); }),
+                  FieldValues::Labels);
+  const Outcome outcome =
+    run({ "transfer", path("labels.nrrd"), "--mesh", path("a.vtu"), "--labels", "--to-cube", path("cube.nrrd") });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("no voxel differs from 0"), std::string::npos) << outcome.error;
+  EXPECT_EQ(image("cube.nrrd").values, std::vector<double>(343, 0.0));
+}
+
+TEST_F(TransferCommand, BeyondTheImageIsTheLabelOfTheBackground)
+{
+  FieldVolume half = imageOf(1, [](const Vector3 &, std::vector<double> & values) { values.push_back(3.0); });
+  half.origin[0] -= 25.0;
+  writeFieldImage(path("half.nrrd"), half, FieldValues::Labels);
+  const auto with = [&](std::vector<std::string> more) {
+    const std::vector<std::string> start{ "transfer", path("half.nrrd"), "--mesh", path("a.vtu"), "--labels" };
+    more.insert(more.begin(), start.begin(), start.end());
+    return run(more);
+  };
+  ASSERT_EQ(with({ "--to-cube", path("cube.nrrd"), "--background", "7" }).exitCode, 0);
+  const FieldVolume cube = image("cube.nrrd");
+  EXPECT_EQ(cube.values[0], 3.0);
+  EXPECT_EQ(cube.values[6], 7.0);
+  ASSERT_EQ(with({ "--to-cube", path("parts.nrrd"), "--background", "7", "--fractions" }).exitCode, 0);
+  const FieldVolume parts = image("parts.nrrd");
+  ASSERT_EQ(parts.components, 2); // of 3 and 7
+  EXPECT_NEAR(parts.at(6)[1], 1.0, 1e-12);
+  expectErrorCode(with({ "--to-cube", path("no.nrrd"), "--background", "0.5" }), "E_USAGE");
+  expectErrorCode(with({ "--to-cube", path("no.nrrd"), "--background", "-1" }), "E_USAGE");
+}
+
+TEST_F(TransferCommand, NumbersThatAreNotFiniteAreNoDataInEveryFormat)
+{
+  const FieldVolume  grid = image("smooth.nrrd");
+  std::vector<float> values(grid.gridVoxels(), 3.0F);
+  for (std::size_t voxel = 0; voxel < values.size(); ++voxel)
+  {
+    if (voxel % 50 >= 25) // the left half
+    {
+      values[voxel] = voxel % 2 == 0 ? std::nanf("") : HUGE_VALF;
+    }
+  }
+  const std::string voxels(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(float));
+  std::ofstream(path("a.nrrd"), std::ios::binary)
+    << "NRRD0004\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: 50 45 14\n"
+       "space directions: (0.9,0,0) (0,1,0) (0,0,1.7)\nkinds: domain domain domain\nendian: little\n"
+       "encoding: raw\nspace origin: (-2,-2,-1)\n\n"
+    << voxels;
+  std::ofstream(path("a.mha"), std::ios::binary)
+    << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+       "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = -2 -2 -1\nElementSpacing = 0.9 1 1.7\nDimSize = 50 45 14\n"
+       "ElementType = MET_FLOAT\nElementDataFile = LOCAL\n"
+    << voxels;
+  writeFieldImage(path("a.nii"), grid);
+  std::string nifti = contentOf(path("a.nii")).substr(0, 352) + voxels;
+  nifti[70] = 16; // 32-bit real numbers
+  nifti[72] = 32;
+  std::ofstream(path("a.nii"), std::ios::binary) << nifti;
+  std::vector<double> first;
+  for (const char * name : { "a.nrrd", "a.mha", "a.nii" })
+  {
+    const Outcome outcome =
+      run({ "transfer", path(name), "--mesh", path("a.vtu"), "--to-cube", path("c.nrrd"), "--background", "-9" });
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+    EXPECT_NE(outcome.error.find("voxels are not finite numbers"), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find("% of the mesh lies beyond the image or its mask, or on voxels that are not finite"),
+              std::string::npos)
+      << outcome.error;
+    const FieldVolume cube = image("c.nrrd");
+    EXPECT_NEAR(cube.values[0], 3.0, 1e-9) << name;
+    EXPECT_NEAR(cube.values[6], -9.0, 1e-9) << name;
+    first = first.empty() ? cube.values : first;
+    for (std::size_t box = 0; box < first.size(); ++box)
+    {
+      EXPECT_NEAR(cube.values[box], first[box], 0.01) << name << ' ' << box; // the place of NIfTI is single precision
+    }
+  }
+}
+
+TEST_F(TransferCommand, AListOfSixNumbersIsNoTensor)
+{
+  const auto list = [](const Vector3 &, std::vector<double> & values) {
+    values.insert(values.end(), { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0 });
+  };
+  writeFieldImage(path("list.nrrd"), imageOf(6, list));
+  transfer({ path("list.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd") });
+  EXPECT_EQ(contentOf(path("cube.nrrd")).find("3D-symmetric-matrix"), std::string::npos);
+  transfer({ path("list.nrrd"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nii") });
+  const std::string nifti = contentOf(path("cube.nii"));
+  constexpr int     vectors = 1007;
+  EXPECT_EQ(static_cast<unsigned char>(nifti[68]) + 256 * static_cast<unsigned char>(nifti[69]), vectors);
+  for (std::size_t plane = 0; plane < 6; ++plane)
+  {
+    double value = 0.0;
+    std::memcpy(&value, nifti.data() + 352 + plane * 343 * sizeof value, sizeof value);
+    EXPECT_NEAR(value, static_cast<double>(plane) + 1.0, 1e-12);
+  }
+  writeFieldImage(path("tensors.nii"), imageOf(6, list), FieldValues::SymmetricTensors);
+  transfer({ path("tensors.nii"), "--mesh", path("a.vtu"), "--to-cube", path("cube.nrrd") });
+  EXPECT_NE(contentOf(path("cube.nrrd")).find("3D-symmetric-matrix"), std::string::npos);
+}
+
+TEST_F(TransferCommand, OneSegmentIsTakenByItsName)
+{
+  std::string text = "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 50 45 14\n"
+                     "space directions: (0.9,0,0) (0,1,0) (0,0,1.7)\nkinds: domain domain domain\n"
+                     "encoding: raw\nspace origin: (-2,-2,-1)\n"
+                     "Segment0_ID:=S1\nSegment0_Name:=gland\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n"
+                     "Segment1_ID:=S2\nSegment1_Name:=lesion\nSegment1_LabelValue:=2\nSegment1_Layer:=0\n\n";
+  for (std::size_t voxel = 0; voxel < std::size_t{ 50 } * 45 * 14; ++voxel)
+  {
+    text += voxel % 50 < 25 ? '\1' : '\2';
+  }
+  std::ofstream(path("a.seg.nrrd"), std::ios::binary) << text;
+  const Outcome outcome = run({ "transfer",
+                                path("a.seg.nrrd"),
+                                "--mesh",
+                                path("a.vtu"),
+                                "--labels",
+                                "--segment",
+                                "lesion",
+                                "--to-cube",
+                                path("cube.nrrd") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("label 2 (lesion): "), std::string::npos) << outcome.out;
+  EXPECT_EQ(image("cube.nrrd").values[0], 0.0);
+  EXPECT_EQ(image("cube.nrrd").values[6], 2.0);
+}
+
+TEST_F(TransferCommand, RemediesAreOptionsOfThisCommand)
+{
+  const Outcome outcome =
+    run({ "transfer", path("smooth.nrrd"), "--mesh", path("a.vtu"), "--labels", "--to-cube", path("cube.nrrd") });
+  expectErrorCode(outcome, "E_LABELS");
+  EXPECT_NE(outcome.error.find("leave --labels out"), std::string::npos) << outcome.error;
+  const Outcome nodes = run({ "transfer",
+                              path("smooth.nrrd"),
+                              "--mesh",
+                              path("a.vtu"),
+                              "--to-mesh",
+                              path("b.vtu"),
+                              "--to-image",
+                              path("out.nrrd"),
+                              "--spacing",
+                              "2",
+                              "--conserve",
+                              "--sampling",
+                              "nodes" });
+  expectErrorCode(nodes, "E_USAGE");
+  EXPECT_NE(nodes.error.find("needs cells"), std::string::npos) << nodes.error;
+}
+
+TEST_F(TransferCommand, OptionsWithoutAPartAreRefused)
+{
+  std::ofstream(path("p.csv")) << "x,y,z\n20,15,8\n";
+  writeFieldImage(path("cube.nrrd"), FieldVolume{ cubeGrid(CubeSampling::Cells, 7), 1, std::vector<double>(343, 1.0) });
+  const std::size_t files = fileCount();
+  const auto refused = [this](const std::string & input, std::vector<std::string> direction, const char * option) {
+    std::vector<std::string> arguments{ "transfer", path(input), "--mesh", path("a.vtu") };
+    arguments.insert(arguments.end(), direction.begin(), direction.end());
+    const Outcome outcome = run(arguments);
+    expectErrorCode(outcome, "E_USAGE");
+    EXPECT_NE(outcome.error.find(option), std::string::npos) << outcome.error;
+  };
+  const std::string out = path("out.nrrd");
+  const std::string like = path("smooth.nrrd");
+  refused("p.csv", { "--to-cube", path("q.csv"), "--background", "3" }, "--background");
+  refused("p.csv", { "--to-cube", path("q.csv"), "--sampling", "40" }, "--sampling");
+  refused("p.csv", { "--to-cube", path("q.csv"), "--points", "8" }, "--points");
+  refused("p.csv", { "--to-cube", path("q.csv"), "--nearest" }, "--nearest");
+  refused("smooth.nrrd", { "--to-cube", out, "--like", like }, "--like");
+  refused("smooth.nrrd", { "--to-cube", out, "--segment", "1" }, "--segment");
+  refused("smooth.nrrd", { "--to-cube", out, "--fractions" }, "--fractions");
+  refused("smooth.nrrd", { "--to-cube", out, "--values-in", "LPS" }, "--values-in");
+  refused("smooth.nrrd", { "--to-cube", out, "--sampling", "nodes", "--points", "8" }, "--points");
+  refused("smooth.nrrd", { "--to-cube", out, "--labels", "--conserve" }, "--labels");
+  refused("cube.nrrd", { "--to-image", out, "--like", like, "--sampling", "40" }, "--sampling");
+  refused("cube.nrrd", { "--to-image", out, "--like", like, "--points", "8" }, "--points");
+  refused("cube.nrrd", { "--to-image", out, "--like", like, "--conserve", "--nearest" }, "--nearest");
+  refused(
+    "smooth.nrrd", { "--to-mesh", path("b.vtu"), "--to-image", out, "--like", like, "--sampling", "40" }, "--sampling");
+  refused(
+    "smooth.nrrd", { "--to-mesh", path("b.vtu"), "--to-image", out, "--like", like, "--points", "8" }, "--points");
+  EXPECT_EQ(fileCount(), files);
+}
+
+TEST_F(TransferCommand, MassBeyondTheGridIsOfEachNumber)
+{
+  FieldVolume cube{ cubeGrid(CubeSampling::Cells, 7), 2, {} };
+  for (std::size_t box = 0; box < cube.gridVoxels(); ++box)
+  {
+    cube.values.insert(cube.values.end(), { 1.0, -1.0 });
+  }
+  writeFieldImage(path("cube.nrrd"), cube);
+  FieldVolume part = imageOf(1, [](const Vector3 &, std::vector<double> & values) { values.push_back(0.0); });
+  part.origin[0] -= 25.0;
+  writeFieldImage(path("part.nrrd"), part);
+  const Outcome outcome = run({ "transfer",
+                                path("cube.nrrd"),
+                                "--mesh",
+                                path("a.vtu"),
+                                "--to-image",
+                                path("out.nrrd"),
+                                "--like",
+                                path("part.nrrd"),
+                                "--conserve" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.error.find("integral over the mesh of number 1"), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("integral over the mesh of number 2"), std::string::npos) << outcome.error;
+}
+
+TEST_F(TransferCommand, TheMeasurementFrameIsWhereTheNumbersAre)
+{
+  const auto withFrame = [this](const std::string & frame, const std::vector<float> & vector) {
+    const FieldVolume  grid = image("smooth.nrrd");
+    std::vector<float> values;
+    for (std::size_t voxel = 0; voxel < grid.gridVoxels(); ++voxel)
+    {
+      values.insert(values.end(), vector.begin(), vector.end());
+    }
+    std::string text = nrrdLike(grid, "vector", values);
+    return text.insert(text.find("endian"), frame);
+  };
+  std::ofstream(path("lps.nrrd"), std::ios::binary) << withFrame("", { 1.0F, 2.0F, -2.0F });
+  // The first axis of the frame is the second one of the image, and so on.
+  std::ofstream(path("framed.nrrd"), std::ios::binary)
+    << withFrame("measurement frame: (0,1,0) (0,0,1) (1,0,0)\n", { 2.0F, -2.0F, 1.0F });
+  for (const char * name : { "lps", "framed" })
+  {
+    transfer({ path(std::string(name) + ".nrrd"),
+               "--mesh",
+               path("a.vtu"),
+               "--to-cube",
+               path(std::string(name) + "_cube.nrrd"),
+               "--rotate" });
+  }
+  EXPECT_EQ(image("lps_cube.nrrd").values, image("framed_cube.nrrd").values);
 }

@@ -13,10 +13,46 @@ namespace
 using namespace moserhex;
 using namespace moserhex::slicer;
 
+app::TransferLog
+logOf(ModuleProgress & progress)
+{
+  constexpr std::size_t longest = 190;
+  app::TransferLog      log;
+  log.warning = [](const std::string & text) { std::printf("warning: %s\n", oneLine(text, longest).c_str()); };
+  log.result = [&progress](const std::string & text) { progress.comment(text); };
+  return log;
+}
+
+/** Puts a value that has no part in the run back to its default, with a warning: Slicer keeps what was chosen before.
+ */
+template <typename TValue>
+void
+leaveOut(bool hasPart, const char * name, const TValue & none, const app::TransferLog & log, TValue & value)
+{
+  if (!hasPart && value != none)
+  {
+    log.warn(std::string(name) + " has no part in this, and is left out");
+    value = none;
+  }
+}
+
+void
+leaveOthersOut(const std::string & direction, const app::TransferLog & log, app::TransferOptions & options)
+{
+  const app::TransferOptions defaults;
+  const bool                 isToCube = direction == "to-cube";
+  const bool                 hasBoxes = isToCube || (direction == "to-subject" && options.conserve);
+  leaveOut(!isToCube, "the reference image", defaults.like, log, options.like);
+  leaveOut(hasBoxes, "the sampling of the cube", defaults.sampling, log, options.sampling);
+  leaveOut(options.labels, "the segment", defaults.segment, log, options.segment);
+  leaveOut(options.rotate, "the space of vectors and tensors", defaults.valuesIn, log, options.valuesIn);
+}
+
 app::TransferOptions
-optionsOf(const ModuleArguments & arguments)
+optionsOf(const ModuleArguments & arguments, const app::TransferLog & log)
 {
   const std::string    direction = arguments.text("direction");
+  const std::string    valuesIn = arguments.text("valuesIn");
   app::TransferOptions options;
   options.input = arguments.text("inputImage");
   options.mesh = arguments.text("mesh");
@@ -28,22 +64,22 @@ optionsOf(const ModuleArguments & arguments)
   options.toMesh = arguments.text("otherMesh");
   options.like = arguments.text("reference");
   options.labels = arguments.flag("labels");
+  options.segment = arguments.text("segment");
   options.conserve = arguments.flag("conserve");
   options.rotate = arguments.flag("rotate");
+  options.valuesIn = valuesIn == "file" ? "" : valuesIn;
   options.sampling = arguments.text("sampling");
   options.background = arguments.real("background");
   options.threads = static_cast<unsigned int>(arguments.integer("threads"));
+  leaveOthersOut(direction, log, options);
   return options;
 }
 
 SimpleOutputs
 run(const ModuleArguments & arguments, ModuleProgress & progress)
 {
-  constexpr std::size_t longest = 190;
-  app::TransferLog      log;
-  log.warning = [](const std::string & text) { std::printf("warning: %s\n", oneLine(text, longest).c_str()); };
-  log.result = [&progress](const std::string & text) { progress.comment(text); };
-  app::runTransfer(optionsOf(arguments), log);
+  const app::TransferLog log = logOf(progress);
+  app::runTransfer(optionsOf(arguments, log), log);
   return {};
 }
 

@@ -230,35 +230,63 @@ readTable(const std::string & fileName)
   return list;
 }
 
-/** What follows "# key = " in a line; nothing in other lines. */
+/** The value of "# key = value" in a line, whatever blanks are in it, as Slicer takes it apart; nothing in other lines.
+ */
 std::optional<std::string>
 headerValue(const std::string & line, const std::string & key)
 {
-  const std::string before = "# " + key + " = ";
-  return line.compare(0, before.size(), before) == 0 ? std::optional(line.substr(before.size())) : std::nullopt;
+  const std::size_t equals = line.find('=');
+  if (equals == std::string::npos || withoutBlanksAround(line.substr(1, equals - 1)) != key)
+  {
+    return std::nullopt;
+  }
+  return withoutBlanksAround(line.substr(equals + 1));
+}
+
+/** Takes the cells behind the named columns away, two since Slicer 5: the status of the position, and whether a program
+ * made the point. \return whether the position is defined; also where its status is not given */
+bool
+takeStatus(std::size_t named, std::vector<std::string> & cells)
+{
+  if (cells.size() <= named)
+  {
+    return true;
+  }
+  const std::string status = cells[named];
+  cells.resize(named);
+  return status.empty() || status == "2";
 }
 
 PointList
 readFiducials(const std::string & fileName)
 {
-  std::string              system = "RAS";
-  std::string              names = fiducialColumns;
-  std::vector<ListedPoint> points;
-  const TextTable          lines = readTextLines(fileName, "line");
+  std::optional<std::string> system;
+  std::string                names = fiducialColumns;
+  PointList                  list;
+  const TextTable            lines = readTextLines(fileName, "line");
   for (const TextTable::Row & row : lines.rows)
   {
     const std::string & line = row.cells.front();
     if (line.front() == '#')
     {
-      system = headerValue(line, "CoordinateSystem").value_or(system);
+      const auto stated = headerValue(line, "CoordinateSystem");
+      system = stated ? stated : system;
       names = headerValue(line, "columns").value_or(names);
       continue;
     }
-    const PointColumns columns(fileName, cellsOfLine(fileName, row.line, names, ','), toLps(fileName, system));
-    points.push_back(columns.point(cellsOfLine(fileName, row.line, line, ','), row.line));
-    points.back().others.clear();
+    const std::vector<std::string> columns = cellsOfLine(fileName, row.line, names, ',');
+    std::vector<std::string>       cells = cellsOfLine(fileName, row.line, line, ',');
+    const bool                     isDefined = takeStatus(columns.size(), cells);
+    ListedPoint point = PointColumns(fileName, columns, toLps(fileName, system.value_or("RAS"))).point(cells, row.line);
+    point.position = isDefined ? point.position : std::nullopt;
+    point.others.clear();
+    list.points.push_back(std::move(point));
   }
-  return { {}, points };
+  if (!system && !list.points.empty())
+  {
+    list.warnings.push_back(fileName + ": the header names no CoordinateSystem: points taken as RAS");
+  }
+  return list;
 }
 
 ListedPoint
@@ -330,6 +358,8 @@ append(std::vector<std::string> & cells, const std::optional<Vector3> & vector)
   }
 }
 
+// Lines are exact: points are data of the user that come back, and a label "-" or "+L1" is no formula to be defused.
+
 std::string
 tableText(const PointList & list, char separator)
 {
@@ -342,7 +372,7 @@ tableText(const PointList & list, char separator)
   {
     names.insert(names.end(), { "c1", "c2", "c3" });
   }
-  std::string text = tableLine(names, separator);
+  std::string text = exactLine(names, separator);
   for (const ListedPoint & point : list.points)
   {
     std::vector<std::string> cells{ point.label, point.description };
@@ -352,7 +382,7 @@ tableText(const PointList & list, char separator)
     {
       append(cells, point.cube);
     }
-    text += tableLine(cells, separator);
+    text += exactLine(cells, separator);
   }
   return text;
 }
@@ -371,7 +401,7 @@ fiducialsText(const PointList & list)
       append(cells, point.position);
       const std::vector<std::string> rest{ "0", "0", "0", "1", "1", "1", "0", point.label, point.description, "" };
       cells.insert(cells.end(), rest.begin(), rest.end());
-      text += tableLine(cells, ',');
+      text += exactLine(cells, ',');
     }
   }
   return text;

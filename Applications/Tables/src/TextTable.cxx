@@ -61,14 +61,6 @@ textOf(const std::string & fileName)
   return text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
 }
 
-[[nodiscard]] std::string
-withoutBlanksAround(const std::string & text)
-{
-  const std::size_t begin = text.find_first_not_of(blanks);
-  const std::size_t end = text.find_last_not_of(blanks);
-  return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
-}
-
 /** Takes a text apart into rows of cells. */
 class RowReader
 {
@@ -310,24 +302,39 @@ cellsOfLine(const std::string & fileName, std::size_t number, const std::string 
 std::string
 tableLine(const std::vector<std::string> & cells, char separator)
 {
+  std::vector<std::string> safe;
+  std::transform(cells.begin(), cells.end(), std::back_inserter(safe), withoutFormula);
+  return exactLine(safe, separator);
+}
+
+std::string
+exactLine(const std::vector<std::string> & cells, char separator)
+{
   std::string line;
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
     line += n == 0 ? "" : std::string(1, separator);
-    const std::string cell = withoutFormula(cells[n]);
-    if (!needsQuotes(cell, separator))
+    if (!needsQuotes(cells[n], separator))
     {
-      line += cell;
+      line += cells[n];
       continue;
     }
     line += '"';
-    for (const char c : cell)
+    for (const char c : cells[n])
     {
       line += c == '"' ? "\"\"" : std::string(1, c);
     }
     line += '"';
   }
   return line + '\n';
+}
+
+std::string
+withoutBlanksAround(const std::string & text)
+{
+  const std::size_t begin = text.find_first_not_of(blanks);
+  const std::size_t end = text.find_last_not_of(blanks);
+  return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
 }
 
 std::string

@@ -47,6 +47,14 @@ cellsOfLine(const std::string & fileName, std::size_t number, const std::string 
 [[nodiscard]] std::string
 tableLine(const std::vector<std::string> & cells, char separator);
 
+/** The same with every cell as it is, of files that are read back: cells like "-" and "+L1" stay what they were. */
+[[nodiscard]] std::string
+exactLine(const std::vector<std::string> & cells, char separator);
+
+/** The text without spaces and tabs before and behind it. */
+[[nodiscard]] std::string
+withoutBlanksAround(const std::string & text);
+
 /** A number in a cell: the shortest that is read back as the same number, in the C locale; whole numbers without an
  * exponent; empty when not finite. */
 [[nodiscard]] std::string

@@ -60,6 +60,44 @@ TEST(PointFile, FiducialsAreInTheSystemOfTheirHeader)
   EXPECT_NE(refusal("a.fcsv", "# CoordinateSystem = 2\n" + fiducials).find("need LPS or RAS"), std::string::npos);
 }
 
+TEST(PointFile, HeadersAreTakenApartAtTheEqualsSign)
+{
+  const Vector3 lps(1.5, -2.25, 3.0);
+  for (const char * system : { "#CoordinateSystem=LPS\n", "# CoordinateSystem=LPS \n", "#  CoordinateSystem  =  1\n" })
+  {
+    const PointList list = readText("a.fcsv", system + fiducials);
+    EXPECT_EQ(*list.points[0].position, lps) << system;
+    EXPECT_TRUE(list.warnings.empty()) << system;
+  }
+  EXPECT_NE(refusal("a.fcsv", "#CoordinateSystem =\n" + fiducials).find("need LPS or RAS"), std::string::npos);
+}
+
+TEST(PointFile, FiducialsWithoutASystemAreRasWithAWarning)
+{
+  const PointList list = readText("a.fcsv", fiducials);
+  ASSERT_EQ(list.warnings.size(), 1u);
+  EXPECT_NE(list.warnings[0].find("no CoordinateSystem: points taken as RAS"), std::string::npos) << list.warnings[0];
+}
+
+TEST(PointFile, FiducialsOfSlicer5HaveTwoCellsMore)
+{
+  const std::string row = ",1.5,-2.25,3,0,0,0,1,1,1,0,apex,,vtkMRMLScalarVolumeNode1";
+  const PointList   list =
+    readText("a.fcsv",
+             "# Markups fiducial file version = 5.6\n# CoordinateSystem = LPS\n"
+             "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
+             "1" +
+               row + ",2,0\n2" + row + ",0,0\n3" + row + ",1,0\n4" + row + ",3,1\n5" + row + ",,\n");
+  ASSERT_EQ(list.points.size(), 5u);
+  EXPECT_EQ(*list.points[0].position, Vector3(1.5, -2.25, 3.0));
+  EXPECT_EQ(list.points[0].label, "apex");
+  EXPECT_FALSE(list.points[1].position);
+  EXPECT_FALSE(list.points[2].position);
+  EXPECT_FALSE(list.points[3].position);
+  EXPECT_TRUE(list.points[4].position);
+  EXPECT_TRUE(list.warnings.empty());
+}
+
 TEST(PointFile, MarkupsAreInTheirOwnSystem)
 {
   const auto markups = [](const std::string & fields) {
@@ -100,6 +138,28 @@ TEST(PointFile, WhatIsNoCoordinateIsRefusedByName)
   EXPECT_NE(refusal("a.csv", "x,y\n1,2\n").find("not all of the columns"), std::string::npos);
   EXPECT_NE(refusal("a.csv", "u,v\n1,2\n").find("neither columns"), std::string::npos);
   EXPECT_NE(refusal("a.fcsv", fiducials + "1,2,3\n").find("cells for 14 columns"), std::string::npos);
+}
+
+TEST(PointFile, TextsAreNoFormulas)
+{
+  const TestFolder folder;
+  PointList        list{ { "grade" }, {} };
+  for (const char * label : { "+", "-", "@lesion", "+L1", "=a" })
+  {
+    list.points.push_back(pointAt(Vector3::Zero()));
+    list.points.back().label = label;
+    list.points.back().others = { "-" };
+  }
+  for (const char * name : { "a.fcsv", "a.csv", "a.tsv" })
+  {
+    writePoints(folder / name, list);
+    const PointList read = readPoints(folder / name);
+    for (std::size_t p = 0; p < list.points.size(); ++p)
+    {
+      EXPECT_EQ(read.points[p].label, list.points[p].label) << name;
+    }
+  }
+  EXPECT_EQ(readPoints(folder / "a.csv").points[0].others, std::vector<std::string>{ "-" });
 }
 
 TEST(PointFile, EveryFormatComesBackTheSame)

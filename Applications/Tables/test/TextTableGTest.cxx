@@ -177,6 +177,11 @@ TEST(TableLine, FormulasAreDefusedAndNumbersAreNot)
   EXPECT_EQ(tableLine({ "-inf", "+-1", "-0x1" }, ','), "'-inf,'+-1,'-0x1\n");
 }
 
+TEST(TableLine, ExactLinesKeepWhatLooksLikeAFormula)
+{
+  EXPECT_EQ(exactLine({ "=1+1", "-", "a,b", "+L1" }, ','), "=1+1,-,\"a,b\",+L1\n");
+}
+
 TEST_F(TextTableFile, LinesComeBackAsTheyWere)
 {
   const Cells cells{ "a,b", "\"", "\"\"x", "two\r\nlines", " blank ", "\xC3\xB6", "x\ty", "1;2", "" };

@@ -13,12 +13,8 @@ namespace
 {
 
 void
-requirePointOptions(const TransferOptions & options)
+requireNamesOfTables(const TransferOptions & options)
 {
-  if (!options.toImage.empty())
-  {
-    throw UsageError(fileMessage(options.input, "a list of points, not an image", "give --to-points or --to-cube"));
-  }
   const bool isTable = options.toCube.empty() ||
                        options.toCube.find(".csv", options.toCube.size() - 4) != std::string::npos ||
                        options.toCube.find(".tsv", options.toCube.size() - 4) != std::string::npos;
@@ -32,39 +28,40 @@ requirePointOptions(const TransferOptions & options)
     throw UsageError(
       fileMessage(options.toPoints, "not the name of a list of points", "give .fcsv, .mrk.json, .csv or .tsv"));
   }
-  if (options.labels || options.conserve || options.rotate || !options.valuesIn.empty() || options.nearest ||
-      !options.like.empty() || !options.spacing.empty())
-  {
-    throw UsageError("--labels, --conserve, --rotate, --values-in, --nearest, --like and --spacing are for images");
-  }
 }
 
+/** Why points have no place in the output, each with its name. */
+using Losses = std::vector<std::string>;
+
 /** Sets the cube coordinates of points by their positions; of those outside, none. */
-void
-findInCube(const CubeMap & map, const std::string & meshFile, const TransferLog & log, PointList & list)
+Losses
+findInCube(const CubeMap & map, const std::string & meshFile, PointList & list)
 {
+  Losses losses;
   for (ListedPoint & point : list.points)
   {
     point.cube.reset();
     if (!point.position)
     {
-      log.warn(oneLine(point.name, 60) + ": no position, left empty");
+      losses.push_back(oneLine(point.name, 60) + ": no position");
       continue;
     }
     const auto place = map.find(*point.position);
     if (!place)
     {
-      log.warn(oneLine(point.name, 60) + ": outside of the mesh " + oneLine(meshFile, 80) + ", left empty");
+      losses.push_back(oneLine(point.name, 60) + ": outside of the mesh " + oneLine(meshFile, 80));
       continue;
     }
     point.cube = map.cubeCoordinates(*place);
   }
+  return losses;
 }
 
 /** Sets the positions of points by their cube coordinates; of those without or outside of the cube, none. */
-void
-findInMesh(const CubeMap & map, const TransferLog & log, PointList & list)
+Losses
+findInMesh(const CubeMap & map, PointList & list)
 {
+  Losses losses;
   for (ListedPoint & point : list.points)
   {
     point.position.reset();
@@ -74,10 +71,10 @@ findInMesh(const CubeMap & map, const TransferLog & log, PointList & list)
     }
     else
     {
-      log.warn(oneLine(point.name, 60) + ": " + (point.cube ? "outside of the cube" : "no cube coordinates") +
-               ", left empty");
+      losses.push_back(oneLine(point.name, 60) + ": " + (point.cube ? "outside of the cube" : "no cube coordinates"));
     }
   }
+  return losses;
 }
 
 std::size_t
@@ -89,28 +86,69 @@ countOf(const PointList & list, bool inCube)
     }));
 }
 
+PointList
+readPointsToTransfer(const TransferOptions & options, const TransferLog & log)
+{
+  PointList list = readPoints(options.input);
+  for (const std::string & warning : list.warnings)
+  {
+    log.warn(warning);
+  }
+  if (list.points.empty())
+  {
+    throw BadInput(ErrorCode::Empty, options.input, "a list without points", "give one with at least one point");
+  }
+  return list;
+}
+
+/** \throws UsageError  the points are in a subject, and no mesh leads out of it */
+void
+requireCubeCoordinates(const TransferOptions & options, const PointList & list)
+{
+  if (countOf(list, true) == 0)
+  {
+    throw UsageError(
+      fileMessage(options.input, "no point has cube coordinates c1, c2, c3", "give --to-mesh for points of a subject"));
+  }
+}
+
+/** \throws BadInput (Geometry)  no point has a place; tells the losses otherwise */
+void
+requirePlaces(const TransferOptions & options, const Losses & losses, const PointList & list, const TransferLog & log)
+{
+  if (losses.size() == list.points.size())
+  {
+    throw BadInput(ErrorCode::Geometry,
+                   options.input,
+                   "no point has a place in the mesh (" + losses.front() + ")",
+                   "give points of the mesh's own scan, in LPS millimetres");
+  }
+  for (const std::string & loss : losses)
+  {
+    log.warn(loss + ", left empty");
+  }
+}
+
 } // namespace
 
 void
 transferPoints(const TransferOptions & options, const TransferLog & log)
 {
-  requirePointOptions(options);
-  PointList     list = readPoints(options.input);
+  requireNamesOfTables(options);
+  PointList  list = readPointsToTransfer(options, log);
+  const bool isToCube = !options.toCube.empty();
+  const bool isFromCube = !isToCube && options.toMesh.empty();
+  if (isFromCube)
+  {
+    requireCubeCoordinates(options, list);
+  }
   const HexMesh mesh = readTransferMesh(options.mesh, options);
   const CubeMap map(mesh);
-  const bool    isToCube = !options.toCube.empty();
-  if (isToCube || !options.toMesh.empty())
-  {
-    findInCube(map, options.mesh, log, list);
-  }
+  requirePlaces(options, isFromCube ? findInMesh(map, list) : findInCube(map, options.mesh, list), list, log);
   if (!options.toMesh.empty())
   {
     const HexMesh other = readTransferMesh(options.toMesh, options);
-    findInMesh(CubeMap(other), {}, list); // findInCube has
-  }
-  else if (!isToCube)
-  {
-    findInMesh(map, log, list);
+    (void)findInMesh(CubeMap(other), list); // those without a place are told
   }
   const std::string & output = isToCube ? options.toCube : options.toPoints;
   writePoints(output, list);

@@ -91,17 +91,17 @@ SubjectFunction::requireCover(const TransferLog & log) const
   {
     throw BadInput(ErrorCode::Geometry,
                    m_Options.input,
-                   m_IsMasked ? "the image's mask does not reach the mesh" : "the image does not reach the mesh",
+                   m_IsMasked ? "no voxel with data reaches the mesh" : "the image does not reach the mesh",
                    "give the image of the same scan, both in LPS millimetres");
   }
   if (m_Beyond > 0)
   {
-    char text[120];
+    char text[160];
     std::snprintf(text,
                   sizeof text,
                   ": %.3g %% of the mesh lies beyond the image%s: background there",
                   100.0 * partBeyond(),
-                  m_IsMasked ? " or its mask" : "");
+                  m_IsMasked ? " or its mask, or on voxels that are not finite" : "");
     log.warn(m_Options.input + text);
   }
 }

@@ -26,8 +26,8 @@ interpolationOf(const TransferOptions & options);
 [[nodiscard]] CubeMeanOptions
 meanOptions(const TransferOptions & options, int boxes, const HexMesh & mesh, const VoxelGrid & image);
 
-/** A subject's image as a function of the cube. Points beyond the image or its mask are background, and counted. Keeps
- * references: the arguments must outlive the object. Thread-safe. */
+/** A subject's image as a function of the cube. Points beyond the image or on voxels without data are background, and
+ * counted. Keeps references: the arguments must outlive the object. Thread-safe. */
 class SubjectFunction
 {
 public:

@@ -6,15 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace moserhex::app
 {
 namespace
 {
 
-constexpr LabelValue mostLabelValue = 65535; ///< of segmentations, far above what they hold
-constexpr int        mostVoxelsPerAxis = 4096;
-constexpr double     mostVoxels = 5e8; ///< what image files may hold
+constexpr int    mostVoxelsPerAxis = 4096;
+constexpr double mostVoxels = 5e8; ///< what image files may hold
 
 void
 tell(const TransferLog & log, const std::vector<std::string> & warnings)
@@ -30,9 +30,15 @@ readLabels(const TransferOptions & options, const TransferLog & log)
 {
   LabelReadOptions reading;
   reading.sandbox = options.sandbox;
+  reading.allowEmpty = true;
+  reading.remedyForFractions = "leave --labels out for a probability map";
+  if (!options.segment.empty())
+  {
+    reading.segment = options.segment;
+  }
   const LabelImage image = readLabelImage(options.input, reading);
   tell(log, image.warnings);
-  if (image.labels.back().value > mostLabelValue)
+  if (!image.labels.empty() && image.labels.back().value > mostLabelValue)
   {
     throw BadInput(ErrorCode::Labels,
                    options.input,
@@ -40,7 +46,16 @@ readLabels(const TransferOptions & options, const TransferLog & log)
                    "number the labels from 1");
   }
   const LabelValues values = labelValuesOf(*image.image);
-  return { FieldVolume{ values, 1, { values.values.begin(), values.values.end() } }, {}, image.labels };
+  return {
+    FieldVolume{ values, 1, { values.values.begin(), values.values.end() } }, {}, image.labels, FieldValues::Labels
+  };
+}
+
+/** What takes vectors to LPS. \param space  LPS or RAS */
+Matrix3
+matrixToLps(const std::string & space)
+{
+  return space == "RAS" ? Matrix3(Vector3(-1.0, -1.0, 1.0).asDiagonal()) : Matrix3(Matrix3::Identity());
 }
 
 /** Of vectors or tensors that are to be turned. */
@@ -56,20 +71,21 @@ putIntoLps(const TransferOptions & options, FieldImage & image)
                                                        "tensors (6)",
                    "leave --rotate out");
   }
-  if (options.valuesIn.empty() && !image.valuesInLps)
+  const std::optional<Matrix3> toLps = options.valuesIn.empty() ? image.valuesToLps : matrixToLps(options.valuesIn);
+  if (!toLps)
   {
     throw BadInput(ErrorCode::Geometry,
                    options.input,
                    "the vectors or tensors are not known to be in LPS",
                    "say --values-in LPS or RAS, or leave --rotate out");
   }
-  if (options.valuesIn == "RAS")
+  if (*toLps == Matrix3::Identity())
   {
-    const Matrix3 toLps = Vector3(-1.0, -1.0, 1.0).asDiagonal();
-    for (std::size_t voxel = 0; voxel < volume.gridVoxels(); ++voxel)
-    {
-      turn(toLps, volume.components, volume.at(voxel));
-    }
+    return;
+  }
+  for (std::size_t voxel = 0; voxel < volume.gridVoxels(); ++voxel)
+  {
+    turn(*toLps, volume.components, volume.at(voxel));
   }
 }
 
@@ -143,7 +159,7 @@ readTransferImage(const TransferOptions & options, const TransferLog & log)
   {
     putIntoLps(options, image);
   }
-  return { std::move(image.volume), std::move(image.hasValue), {} };
+  return { std::move(image.volume), std::move(image.hasValue), {}, image.kind };
 }
 
 VoxelGrid
@@ -167,15 +183,14 @@ readTargetGrid(const TransferOptions & options, const HexMesh & mesh)
 }
 
 FieldValues
-valuesOf(const TransferOptions & options, const FieldVolume & volume)
+valuesOf(const TransferOptions & options, const TransferImage & image)
 {
   constexpr int tensorComponents = 6;
-  if (options.labels && !options.fractions)
+  if (options.labels)
   {
-    return FieldValues::Labels;
+    return options.fractions ? FieldValues::Numbers : FieldValues::Labels;
   }
-  return volume.components == tensorComponents && !options.fractions ? FieldValues::SymmetricTensors
-                                                                     : FieldValues::Numbers;
+  return options.rotate && image.volume.components == tensorComponents ? FieldValues::SymmetricTensors : image.kind;
 }
 
 } // namespace moserhex::app

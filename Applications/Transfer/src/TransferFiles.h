@@ -13,12 +13,15 @@
 namespace moserhex::app
 {
 
+constexpr LabelValue mostLabelValue = 65535; ///< of segmentations, far above what they hold
+
 /** An image to transfer. Labels are numbers of one component. */
 struct TransferImage
 {
   FieldVolume                volume;
-  std::vector<unsigned char> hasValue; ///< as in FieldImage
-  std::vector<LabelEntry>    labels;   ///< of a labelmap, ascending, 0 apart
+  std::vector<unsigned char> hasValue;                     ///< as in FieldImage
+  std::vector<LabelEntry>    labels;                       ///< of a labelmap, ascending, 0 apart
+  FieldValues                kind{ FieldValues::Numbers }; ///< of what the file holds, or the options say
 };
 
 /** Reads a lattice that may be transferred by: no padding, all cells of positive volume.
@@ -37,8 +40,8 @@ readTransferImage(const TransferOptions & options, const TransferLog & log);
 [[nodiscard]] VoxelGrid
 readTargetGrid(const TransferOptions & options, const HexMesh & mesh);
 
-/** How the output's numbers are kept. */
+/** How the output's numbers are kept: as the input's, and six that were turned as tensors. */
 [[nodiscard]] FieldValues
-valuesOf(const TransferOptions & options, const FieldVolume & volume);
+valuesOf(const TransferOptions & options, const TransferImage & image);
 
 } // namespace moserhex::app

@@ -18,6 +18,7 @@ struct TransferOptions
   std::vector<double> spacing;             ///< of a new grid around the mesh, one or three numbers [mm]
   std::string         sampling{ "cells" }; ///< "cells", "nodes", or a number per axis
   bool                labels{ false };
+  std::string         segment; ///< of --labels and a .seg.nrrd: name, ID or number; empty: all
   bool                fractions{ false };
   bool                conserve{ false };
   bool                rotate{ false };

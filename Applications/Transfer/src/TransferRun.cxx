@@ -3,8 +3,8 @@
 #include "CommandErrors.h"
 #include "ImageTransfer.h"
 #include "OutputName.h"
-#include "PointFile.h"
 #include "PointTransfer.h"
+#include "TransferUsage.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
 namespace moserhex::app
@@ -43,6 +43,7 @@ requireUsableOptions(const TransferOptions & options, const std::string & output
   {
     throw UsageError("--to-mesh leads to another subject; --to-cube needs --mesh alone");
   }
+  requirePartOfEveryOption(options);
   const AtomicFile probe(output);
 }
 
@@ -53,7 +54,7 @@ runTransfer(const TransferOptions & options, const TransferLog & log)
 {
   const std::string & output = outputOf(options);
   requireUsableOptions(options, output);
-  isPointFileName(options.input) ? transferPoints(options, log) : transferImage(options, log);
+  isOfPoints(options) ? transferPoints(options, log) : transferImage(options, log);
 }
 
 } // namespace moserhex::app

@@ -1,13 +1,9 @@
 #include "moserhex/CubeTransfer/CubeSamples.h"
 
-#include "CubeParts.h"
-#include "TrilinearCell.h"
+#include "BoxIntegrator.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/CubeTransfer/CubeImage.h"
-#include "moserhex/Numerics/GaussLegendre.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <string>
@@ -40,35 +36,6 @@ checked(const HexMesh & mesh, const CubeMeanOptions & options, int components)
   return result;
 }
 
-/** Calls visit(point, weight) for the Gauss points of a part of a cell, weights times det J [mm^3]. */
-template <typename TVisit>
-void
-forGaussPoints(const HexMesh &   mesh,
-               std::size_t       cell,
-               const Vector3 &   lower,
-               const Vector3 &   sides,
-               const GaussRule & rule,
-               const TVisit &    visit)
-{
-  const double     cells = mesh.nodesPerSide - 1;
-  const HexCorners corners = cellCorners(mesh, cell);
-  const Vector3    index = cubePoint(mesh, { cell, Vector3::Zero() }).cube * cells;
-  for (std::size_t c = 0; c < rule.weights.size(); ++c)
-  {
-    for (std::size_t b = 0; b < rule.weights.size(); ++b)
-    {
-      for (std::size_t a = 0; a < rule.weights.size(); ++a)
-      {
-        const Vector3 xi = lower + sides.cwiseProduct(Vector3(rule.abscissae[a], rule.abscissae[b], rule.abscissae[c]));
-        const Matrix3 tangents = trilinearTangents(corners, xi);
-        const double  weight =
-          rule.weights[a] * rule.weights[b] * rule.weights[c] * sides.prod() * tangents.determinant();
-        visit(CubePoint{ (index + xi) / cells, trilinear(corners, xi), tangents * cells }, weight);
-      }
-    }
-  }
-}
-
 } // namespace
 
 CubeMeans
@@ -78,28 +45,14 @@ cubeMeans(const HexMesh & mesh, const CubeFunction & f, int components, const Cu
   const GaussRule       rule = gaussLegendre(options.pointsPerAxis);
   CubeMeans             result;
   result.image = FieldVolume{ cubeGrid(CubeSampling::Cells, options.samplesPerAxis), components, {} };
-  const int  cells = mesh.nodesPerSide - 1;
-  const auto parts = partsInCells(options.samplesPerAxis, cells);
+  const BoxIntegrator integrator(mesh, f, components, options.samplesPerAxis);
   result.volumes.resize(result.image.gridVoxels());
   result.image.values.resize(result.volumes.size() * static_cast<std::size_t>(components));
   parallelForBlocks(result.volumes.size(), boxesPerBlock, options.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> values(static_cast<std::size_t>(components));
     for (std::size_t box = begin; box < end; ++box)
     {
       double * const means = result.image.at(box);
-      double         volume = 0.0;
-      forPartsOfBox(parts, box, cells, [&](std::size_t cell, const Vector3 & lower, const Vector3 & sides) {
-        forGaussPoints(mesh, cell, lower, sides, rule, [&](const CubePoint & point, double weight) {
-          f(point, values.data());
-          volume += weight;
-          std::transform(
-            values.begin(), values.end(), means, means, [weight](double v, double sum) { return sum + weight * v; });
-        });
-      });
-      if (!(volume > 0.0))
-      {
-        throw InvalidInput("cell means: cell " + std::to_string(box) + " has no positive volume");
-      }
+      const double   volume = integrator.addIntegral(box, rule, means);
       result.volumes[box] = volume;
       std::for_each(means, means + components, [volume](double & mean) { mean /= volume; });
     }

@@ -2,6 +2,9 @@
 
 #include "ImageValues.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace moserhex
 {
 
@@ -26,6 +29,33 @@ takeMaskOut(FieldImage & image)
   }
 }
 
+/** Takes data from voxels with a number that is not finite. */
+void
+leaveNonFiniteOut(FieldImage & image)
+{
+  const FieldVolume & volume = image.volume;
+  const auto          isWhole = [&volume](std::size_t voxel) {
+    const double * const first = volume.at(voxel);
+    return std::all_of(first, first + volume.components, [](double value) { return std::isfinite(value); });
+  };
+  std::size_t count = 0;
+  for (std::size_t voxel = 0; voxel < volume.gridVoxels(); ++voxel)
+  {
+    if ((!image.hasValue.empty() && image.hasValue[voxel] == 0) || isWhole(voxel))
+    {
+      continue;
+    }
+    image.hasValue.resize(volume.gridVoxels(), 1);
+    image.hasValue[voxel] = 0;
+    ++count;
+  }
+  if (count > 0)
+  {
+    image.warnings.push_back(image.fileName + ": " + std::to_string(count) +
+                             " voxels are not finite numbers and count as without data");
+  }
+}
+
 } // namespace
 
 FieldImage
@@ -38,7 +68,8 @@ readFieldImage(const std::string & fileName, const ReadOptions & options)
     result.volume = FieldVolume{ header.grid, header.components, {} };
     result.volume.values.resize(header.grid.gridVoxels() * static_cast<std::size_t>(header.components));
     isMasked = header.masked;
-    result.valuesInLps = header.valuesInLps;
+    result.kind = header.symmetricTensors ? FieldValues::SymmetricTensors : FieldValues::Numbers;
+    result.valuesToLps = header.valuesToLps;
     result.warnings = header.warnings;
     return result.volume.values.data();
   });
@@ -46,6 +77,7 @@ readFieldImage(const std::string & fileName, const ReadOptions & options)
   {
     takeMaskOut(result);
   }
+  leaveNonFiniteOut(result);
   return result;
 }
 

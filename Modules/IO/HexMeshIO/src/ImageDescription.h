@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,15 +106,17 @@ struct ValueLayout
 /** An image as its header states it, every statement checked; see checkImageHeader. */
 struct ImageDescription
 {
-  std::string   fileName;
-  ImageFormat   format{ ImageFormat::Nrrd };
-  ComponentType component{ ComponentType::UInt8 };
-  std::uint64_t bytesPerComponent{ 1 };
-  bool          swapped{ false }; ///< the file's byte order is not this machine's
-  VoxelGrid     grid;             ///< LPS mm, direction orthonormal to round-off
-  int           layers{ 1 };      ///< values per voxel in the file, a mask among them
-  ValueLayout   layout;
-  bool          valuesInLps{ true }; ///< vectors and tensors are known to be in no other space or frame
+  std::string            fileName;
+  ImageFormat            format{ ImageFormat::Nrrd };
+  ComponentType          component{ ComponentType::UInt8 };
+  std::uint64_t          bytesPerComponent{ 1 };
+  bool                   swapped{ false }; ///< the file's byte order is not this machine's
+  VoxelGrid              grid;             ///< LPS mm, direction orthonormal to round-off
+  int                    layers{ 1 };      ///< values per voxel in the file, a mask among them
+  ValueLayout            layout;
+  bool                   symmetricTensors{ false };          ///< the values are one of 3 x 3 each, as the file says
+  std::optional<Matrix3> valuesToLps{ Matrix3::Identity() }; ///< of vectors; nothing: the file leaves their space open
+  bool keepsNonFinite{ false }; ///< of NIfTI, whose numbers that are not finite ITK makes 0 of; see VoxelContent
   VoxelEncoding encoding{ VoxelEncoding::Raw };
   std::string   dataFile;           ///< holds the voxels
   std::uint64_t dataBegin{ 0 };     ///< of the voxels; in the decoded bytes for GzipOrRaw, else in the file

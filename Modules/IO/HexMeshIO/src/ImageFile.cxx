@@ -90,10 +90,17 @@ requireSameImage(const ImageDescription & image, const itk::ImageIOBase & reader
 
 } // namespace
 
+bool
+isReadWithoutItk(const ImageDescription & image)
+{
+  return !image.layout.isPlain() ||
+         (image.keepsNonFinite && image.format == ImageFormat::Nifti && isFloatingPoint(image.component));
+}
+
 ComponentType
 deliveredComponent(const ImageDescription & image)
 {
-  if (!image.layout.isPlain())
+  if (isReadWithoutItk(image))
   {
     return ComponentType::Float64;
   }
@@ -143,6 +150,7 @@ ImageDescription
 checkedDescription(const std::string & fileName, bool sandboxed, VoxelContent content)
 {
   ImageDescription image = checkImageHeader(fileName, imageFormatOf(fileName), content);
+  image.keepsNonFinite = content == VoxelContent::ManyValues;
   if (sandboxed)
   {
     // The buffer here, one inside the library, one of compressed bytes, and the answer.

@@ -12,8 +12,12 @@
 namespace moserhex
 {
 
+/** Whether the voxels are read without ITK: their layout is not plain, or ITK would make 0 of some of them. */
+[[nodiscard]] bool
+isReadWithoutItk(const ImageDescription & image);
+
 /** What a voxel is when it is handed over: the type of the file, or a real number where slope and intercept are applied
- * (NIfTI): float, or double where the file has doubles. Always double where values are rearranged. */
+ * (NIfTI): float, or double where the file has doubles. Always double where they are read without ITK. */
 [[nodiscard]] ComponentType
 deliveredComponent(const ImageDescription & image);
 
@@ -28,9 +32,9 @@ readByItk(const ImageDescription & image, const std::string & itkName, void * bu
 void
 requireDelivered(const ImageDescription & image, const void * buffer);
 
-/** The values of a checked image whose layout is not plain, without ITK, which leaves masks out and takes fewer kinds:
- * a voxel's together, its mask first, symmetric matrices as xx, xy, xz, yy, yz, zz, scaled.
- * \throws BadInput (ReaderFailed)  the file has changed since it was checked; as checkVoxelBytes */
+/** The values of a checked image without ITK, which leaves masks out and takes fewer kinds: a voxel's together, its
+ * mask first, symmetric matrices as xx, xy, xz, yy, yz, zz, scaled. \throws BadInput (ReaderFailed)  the file has
+ * changed since it was checked; as checkVoxelBytes */
 [[nodiscard]] std::vector<double>
 rearrangedValues(const ImageDescription & image);
 
@@ -96,7 +100,7 @@ withCheckedVoxels(const std::string & fileName,
 {
   withImageErrors(fileName, [&] {
     const ImageDescription image = checkedDescription(fileName, sandboxed, content);
-    if (!image.layout.isPlain())
+    if (isReadWithoutItk(image))
     {
       body(image, rearrangedValues(image));
       return;

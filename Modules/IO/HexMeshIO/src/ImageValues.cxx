@@ -19,7 +19,8 @@ packedValues(const std::string & fileName, const std::string & itkName, bool san
     writer.put(image.grid);
     writer.put(image.layers);
     writer.put(image.layout.masked ? 1 : 0);
-    writer.put(image.valuesInLps ? 1 : 0);
+    writer.put(image.symmetricTensors ? 1 : 0);
+    writer.put(image.valuesToLps);
     writer.put(image.warnings);
     writer.put(begin);
     parcel = writer.take();

@@ -7,6 +7,7 @@
 #include "moserhex/HexMeshIO/ReadOptions.h"
 
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 namespace moserhex
@@ -18,7 +19,8 @@ struct ImageValuesHeader
   VoxelGrid                grid;
   int                      components{ 1 }; ///< values per voxel, a mask among them
   bool                     masked{ false }; ///< the first is the mask
-  bool                     valuesInLps{ true };
+  bool                     symmetricTensors{ false };
+  std::optional<Matrix3>   valuesToLps{ Matrix3::Identity() }; ///< nothing: the file leaves their space open
   std::vector<std::string> warnings;
 };
 
@@ -38,7 +40,8 @@ unpackValues(const std::string & bytes, const TBufferFor & bufferFor)
   header.grid = parcel.grid();
   header.components = parcel.number<int>();
   header.masked = parcel.number<int>() != 0;
-  header.valuesInLps = parcel.number<int>() != 0;
+  header.symmetricTensors = parcel.number<int>() != 0;
+  header.valuesToLps = parcel.matrix();
   header.warnings = parcel.texts();
   const std::size_t count = header.grid.gridVoxels() * static_cast<std::size_t>(header.components);
   withComponent(type, [&](auto value) {

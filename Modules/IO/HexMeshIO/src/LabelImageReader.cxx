@@ -124,6 +124,8 @@ packedLabels(const std::string & fileName, const std::string & itkName, const La
     const auto                chosen = chosenSegment(image, segments, options.segment);
     LabelRules                rules;
     rules.threshold = options.threshold;
+    rules.allowEmpty = options.allowEmpty;
+    rules.remedyForFractions = options.remedyForFractions;
     if (chosen)
     {
       rules.layer = segments[*chosen].layer;

@@ -9,7 +9,7 @@ namespace moserhex
 {
 
 void
-throwNoLabel(const ImageDescription & image, std::size_t voxel, double value)
+throwNoLabel(const ImageDescription & image, std::size_t voxel, double value, const LabelRules & rules)
 {
   const auto         nx = static_cast<std::size_t>(image.grid.size[0]);
   const auto         ny = static_cast<std::size_t>(image.grid.size[1]);
@@ -22,8 +22,7 @@ throwNoLabel(const ImageDescription & image, std::size_t voxel, double value)
   throw BadInput(ErrorCode::Labels,
                  image.fileName,
                  text.str(),
-                 fraction ? "give --threshold for a probability map, or integer labels"
-                          : "give the segmentation, not intensities");
+                 fraction ? rules.remedyForFractions : "give the segmentation, not intensities");
 }
 
 void
@@ -56,7 +55,7 @@ warnOfNaN(ImageDescription & image, std::size_t notNumbers)
 }
 
 std::vector<LabelEntry>
-labelEntries(const ImageDescription &          image,
+labelEntries(ImageDescription &                image,
              const LabelVoxels::Counts &       counts,
              const LabelRules &                rules,
              const std::vector<SegmentEntry> & segments)
@@ -75,11 +74,16 @@ labelEntries(const ImageDescription &          image,
   }
   if (entries.empty())
   {
-    throw BadInput(ErrorCode::EmptyLabel,
-                   image.fileName,
-                   rules.threshold ? "no voxel reaches the threshold"
-                                   : (rules.only ? "the segment has no voxels" : "no voxel differs from 0"),
-                   rules.threshold ? "give a smaller threshold" : "give a labelmap with at least one label");
+    const std::string cause = rules.threshold ? "no voxel reaches the threshold"
+                                              : (rules.only ? "the segment has no voxels" : "no voxel differs from 0");
+    if (!rules.allowEmpty)
+    {
+      throw BadInput(ErrorCode::EmptyLabel,
+                     image.fileName,
+                     cause,
+                     rules.threshold ? "give a smaller threshold" : "give a labelmap with at least one label");
+    }
+    image.warnings.push_back(image.fileName + ": " + cause);
   }
   return entries;
 }

@@ -19,6 +19,8 @@ struct LabelRules
   std::optional<double>     threshold; ///< values at or above it are label 1, all others and NaN 0
   int                       layer{ 0 };
   std::optional<LabelValue> only; ///< other labels of the layer become 0
+  bool                      allowEmpty{ false };
+  std::string               remedyForFractions{ LabelReadOptions().remedyForFractions };
 };
 
 /** The labels of an image in as few bytes as hold them. */
@@ -35,7 +37,7 @@ constexpr std::size_t mostLabels = 4096;
 
 /** Refusals and warnings about values. */
 [[noreturn]] void
-throwNoLabel(const ImageDescription & image, std::size_t voxel, double value);
+throwNoLabel(const ImageDescription & image, std::size_t voxel, double value, const LabelRules & rules);
 [[noreturn]] void
 throwTooManyLabels(const ImageDescription & image);
 void
@@ -44,9 +46,9 @@ void
 warnOfNaN(ImageDescription & image, std::size_t notNumbers);
 
 /** The labels to report of those counted in the rules' layer, named by their segments.
- * \throws BadInput (EmptyLabel)  none */
+ * \throws BadInput (EmptyLabel)  none, and the rules do not allow that; else that is a warning of the image */
 [[nodiscard]] std::vector<LabelEntry>
-labelEntries(const ImageDescription &          image,
+labelEntries(ImageDescription &                image,
              const LabelVoxels::Counts &       counts,
              const LabelRules &                rules,
              const std::vector<SegmentEntry> & segments);
@@ -118,7 +120,7 @@ countLabels(ImageDescription & image, const std::vector<TVoxel> & values, const 
       const LabelValue label = labelOf(value);
       if (label < 0)
       {
-        throwNoLabel(image, begin / layers, static_cast<double>(value));
+        throwNoLabel(image, begin / layers, static_cast<double>(value), rules);
       }
       const std::size_t run = (n - begin) / layers;
       counts[layer][label] += run;

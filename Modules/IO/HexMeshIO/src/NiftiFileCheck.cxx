@@ -16,6 +16,7 @@ namespace
 constexpr double mostExtensionBytes = 1e7;
 
 constexpr std::size_t valueAxis = 4; ///< of dim[5]
+constexpr int         tensorValues = 6;
 
 /** Sizes of the first three axes and, of images with several values per voxel, the number of these.
  * \throws BadInput  see checkImageHeader */
@@ -90,7 +91,11 @@ setNiftiLayout(const NiftiHeader & header, ImageDescription & image)
   }
   image.layout.lastAxis = true;
   image.layout.lowerTriangle = isSymmetric;
-  image.valuesInLps = header.intentName() == niftiLpsName;
+  image.symmetricTensors = isSymmetric && image.layers == tensorValues;
+  if (header.intentName() != niftiLpsName)
+  {
+    image.valuesToLps = std::nullopt;
+  }
 }
 
 ComponentType

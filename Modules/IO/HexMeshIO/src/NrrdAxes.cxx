@@ -133,6 +133,8 @@ findSpatialAxes(const ImageDescription & image, bool segmentation, VoxelContent 
       axes.layers = axes.sizes[axis];
       axes.layout.lastAxis = axis > 0 && axes.layers > 1;
       axes.layout.masked = isMaskedKind(axes.kinds[axis]);
+      axes.symmetricTensors =
+        axes.kinds[axis] == "3d-symmetric-matrix" || axes.kinds[axis] == "3d-masked-symmetric-matrix";
     }
     else if (axes.sizes[axis] != 1)
     {

@@ -26,6 +26,7 @@ struct NrrdAxes
   std::vector<std::size_t>   spatial;    ///< the three axes
   std::uint64_t              layers{ 1 };
   ValueLayout                layout;
+  bool                       symmetricTensors{ false };
 };
 
 /** Sorts the axes into three of space and those of layers or values.

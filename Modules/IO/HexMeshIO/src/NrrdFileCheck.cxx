@@ -2,6 +2,9 @@
 #include "NrrdAxes.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <Eigen/LU>
+
+#include <cmath>
 #include <filesystem>
 
 namespace moserhex
@@ -125,6 +128,35 @@ setNrrdGeometry(const NrrdHeader & header, const NrrdAxes & axes, const Vector3 
   setGeometry(image, columns, origin);
 }
 
+/** What takes vectors to LPS: the measurement frame, whose columns the field lists in the file's space, then that
+ * space's factors. Nothing without a usable frame, unless the space is LPS. */
+std::optional<Matrix3>
+nrrdValuesToLps(const NrrdHeader & header, const Vector3 & toLps, const ImageDescription & image)
+{
+  constexpr double smallestDeterminant = 1e-6; // frames are rotations, at most of other lengths
+  if (!header.has("measurement frame"))
+  {
+    return toLps == Vector3::Ones() ? std::optional(Matrix3(Matrix3::Identity())) : std::nullopt;
+  }
+  const auto columns = spaceVectorsOf(image.fileName, "measurement frame", header.get("measurement frame"));
+  if (columns.size() != 3)
+  {
+    throwHeader(image.fileName, "the measurement frame has " + std::to_string(columns.size()) + " vectors, need 3");
+  }
+  Matrix3 frame;
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    if (!columns[column])
+    {
+      return std::nullopt;
+    }
+    const std::vector<double> & vector = *columns[column];
+    frame.col(static_cast<Eigen::Index>(column)) = toLps.cwiseProduct(Vector3(vector[0], vector[1], vector[2]));
+  }
+  const bool isUsable = frame.allFinite() && std::abs(frame.determinant()) > smallestDeterminant;
+  return isUsable ? std::optional(frame) : std::nullopt;
+}
+
 VoxelEncoding
 nrrdEncoding(const NrrdHeader & header, const ImageDescription & image)
 {
@@ -213,7 +245,8 @@ checkNrrdHeader(const std::string & file, VoxelContent content)
   const Vector3  toLps = nrrdSpace(header, image);
   const NrrdAxes axes = nrrdAxes(header, image, content);
   image.layout = axes.layout;
-  image.valuesInLps = toLps == Vector3::Ones() && !header.has("measurement frame");
+  image.symmetricTensors = axes.symmetricTensors;
+  image.valuesToLps = nrrdValuesToLps(header, toLps, image);
   setVoxels(image,
             { axes.sizes[axes.spatial[0]], axes.sizes[axes.spatial[1]], axes.sizes[axes.spatial[2]] },
             nrrdComponentType(file, header.get("type")),

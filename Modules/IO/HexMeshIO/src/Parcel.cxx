@@ -28,6 +28,16 @@ ParcelWriter::put(const VoxelGrid & grid)
 }
 
 void
+ParcelWriter::put(const std::optional<Matrix3> & matrix)
+{
+  put(matrix ? 1 : 0);
+  for (Eigen::Index entry = 0; matrix && entry < matrix->size(); ++entry)
+  {
+    put(matrix->data()[entry]);
+  }
+}
+
+void
 ParcelWriter::put(const Positions & points)
 {
   put(static_cast<std::uint64_t>(points.size()));
@@ -52,6 +62,21 @@ ParcelReader::grid()
     }
   }
   return grid;
+}
+
+std::optional<Matrix3>
+ParcelReader::matrix()
+{
+  if (number<int>() == 0)
+  {
+    return std::nullopt;
+  }
+  Matrix3 matrix;
+  for (Eigen::Index entry = 0; entry < matrix.size(); ++entry)
+  {
+    matrix.data()[entry] = number<double>();
+  }
+  return matrix;
 }
 
 Positions

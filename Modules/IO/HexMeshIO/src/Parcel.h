@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -46,6 +47,9 @@ public:
 
   void
   put(const VoxelGrid & grid);
+
+  void
+  put(const std::optional<Matrix3> & matrix);
 
   void
   put(const Positions & points);
@@ -112,6 +116,9 @@ public:
 
   [[nodiscard]] VoxelGrid
   grid();
+
+  [[nodiscard]] std::optional<Matrix3>
+  matrix();
 
   [[nodiscard]] Positions
   positions();

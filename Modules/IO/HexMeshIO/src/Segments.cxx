@@ -119,7 +119,7 @@ chosenSegment(const ImageDescription &           image,
                      image.fileName,
                      segments.empty() ? "the file names no segments, so there is no " + quoted(*choice)
                                       : "no segment " + quoted(*choice) + ", it has " + listOf(segments),
-                     segments.empty() ? "choose a label instead" : "choose one of these with --segment");
+                     segments.empty() ? "leave --segment out" : "choose one of these with --segment");
     }
     return chosen;
   }

@@ -104,7 +104,8 @@ warnOfTrailingBytes(ImageDescription & image, std::uint64_t count, bool more)
 void
 checkBinary(ImageDescription & image, ByteSource & source, DecodedVoxels & voxels)
 {
-  const bool        mayBeCleared = image.format == ImageFormat::Nifti && isFloatingPoint(image.component);
+  const bool mayBeCleared =
+    image.format == ImageFormat::Nifti && isFloatingPoint(image.component) && !image.keepsNonFinite;
   std::vector<char> chunk(chunkSize);
   std::uint64_t     present = 0;
   std::uint64_t     cleared = 0;

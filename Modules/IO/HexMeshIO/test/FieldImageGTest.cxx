@@ -70,7 +70,7 @@ TEST(FieldImage, ComesBackAsWritten)
     EXPECT_EQ(read.volume.values, image.values);
     EXPECT_LE((read.volume.origin - image.origin).norm(), 1e-6);
     EXPECT_TRUE(read.volume.direction.isApprox(image.direction, 1e-6));
-    EXPECT_TRUE(read.valuesInLps);
+    EXPECT_TRUE(read.valuesToLps);
     EXPECT_TRUE(read.warnings.empty());
   }
 }
@@ -94,6 +94,22 @@ TEST(FieldImage, NumbersThatAreNoneAreKept)
   const FieldImage read = readFieldImage(folder / "a.nrrd");
   EXPECT_TRUE(std::isnan(read.volume.values[3]));
   EXPECT_EQ(read.volume.values[4], image.values[4]);
+}
+
+TEST(FieldImage, VoxelsThatAreNotFiniteAreWithoutData)
+{
+  const TestFolder folder;
+  FieldVolume      image = fieldOf(2);
+  image.values[3] = std::numeric_limits<double>::quiet_NaN();
+  image.values[4] = std::numeric_limits<double>::infinity();
+  writeFieldImage(folder / "a.nrrd", image);
+  const FieldImage           read = readFieldImage(folder / "a.nrrd");
+  std::vector<unsigned char> expected(60, 1);
+  expected[1] = 0;
+  expected[2] = 0;
+  EXPECT_EQ(read.hasValue, expected);
+  ASSERT_EQ(read.warnings.size(), 1u);
+  EXPECT_NE(read.warnings[0].find("2 voxels are not finite"), std::string::npos) << read.warnings[0];
 }
 
 TEST(FieldImage, LabelsAreALabelmap)
@@ -163,9 +179,34 @@ TEST(FieldImage, DamagedAndOtherFilesAreRefused)
   EXPECT_NE(answerTo("a.nrrd", axes("5000 2 2 2", "list domain domain domain", first)).find("3-D"), std::string::npos);
 }
 
-TEST(FieldImage, AnotherFrameOfValuesIsReported)
+TEST(FieldImage, TheMeasurementFrameLeadsToLps)
 {
   const TestFolder folder;
-  writeBytes(folder / "a.nrrd", nrrd(std::string(vectorsOfThree) + "measurement frame: (1,0,0) (0,1,0) (0,0,1)\n", 24));
-  EXPECT_FALSE(readFieldImage(folder / "a.nrrd").valuesInLps);
+  const auto       readWith = [&folder](const std::string & frame, const std::string & space) {
+    std::string text = nrrd(vectorsOfThree + frame, 24);
+    text.replace(text.find("left-posterior-superior"), 23, space);
+    writeBytes(folder / "a.nrrd", text);
+    return readFieldImage(folder / "a.nrrd").valuesToLps;
+  };
+  const std::string lps = "left-posterior-superior";
+  const std::string identity = "measurement frame: (1,0,0) (0,1,0) (0,0,1)\n";
+  EXPECT_EQ(*readWith(identity, lps), Matrix3(Matrix3::Identity()));
+  EXPECT_EQ(*readWith(identity, "right-anterior-superior"), Matrix3(Vector3(-1.0, -1.0, 1.0).asDiagonal()));
+  Matrix3 turned;
+  turned << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
+  EXPECT_EQ(*readWith("measurement frame: (0,1,0) (0,0,1) (1,0,0)\n", lps), turned); // columns
+  EXPECT_FALSE(readWith("", "right-anterior-superior"));
+  EXPECT_FALSE(readWith("measurement frame: (1,0,0) (1,0,0) (0,0,1)\n", lps));
+}
+
+TEST(FieldImage, OnlyTensorsAreTensors)
+{
+  const TestFolder folder;
+  for (const char * name : { "a.nrrd", "a.nii" })
+  {
+    writeFieldImage(folder / name, fieldOf(6), FieldValues::SymmetricTensors);
+    EXPECT_EQ(readFieldImage(folder / name).kind, FieldValues::SymmetricTensors) << name;
+    writeFieldImage(folder / name, fieldOf(6));
+    EXPECT_EQ(readFieldImage(folder / name).kind, FieldValues::Numbers) << name;
+  }
 }

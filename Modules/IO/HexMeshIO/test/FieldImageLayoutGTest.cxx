@@ -177,7 +177,7 @@ TEST(FieldImageLayout, NiftiVectorsOfEveryIntentLieAlongTheFifthAxis)
       writeBytes(folder / "a.nii", niftiOf(3, intent, 0.0F, swapped).header() + planesOf({ 0, 1, 2 }, swapped));
       const FieldImage read = readFieldImage(folder / "a.nii");
       expectValues(read.volume, 3);
-      EXPECT_FALSE(read.valuesInLps);
+      EXPECT_FALSE(read.valuesToLps);
       EXPECT_TRUE(read.hasValue.empty());
       EXPECT_LE((read.volume.spacing - Vector3(0.5, 0.75, 2.0)).norm(), 1e-6);
     }
@@ -215,6 +215,24 @@ TEST(FieldImageLayout, NiftiSlopeIsOfEveryValue)
   text.set<float>(112, 0.25F).set<float>(116, -2.0F);
   writeBytes(folder / "a.nii", text.header() + planesOf({ 0, 1, 2 }));
   expectValues(readFieldImage(folder / "a.nii").volume, 3, 0.25, -2.0);
+}
+
+TEST(FieldImageLayout, NiftiNumbersThatAreNotFiniteAreWithoutData)
+{
+  const TestFolder  folder;
+  const FieldVolume image = fieldOf(1);
+  writeFieldImage(folder / "a.nii", image);
+  std::string  bytes = readBytes(folder / "a.nii");
+  const double wrong = std::numeric_limits<double>::quiet_NaN();
+  std::memcpy(bytes.data() + 352 + 3 * sizeof wrong, &wrong, sizeof wrong);
+  writeBytes(folder / "a.nii", bytes);
+  const FieldImage read = readFieldImage(folder / "a.nii");
+  EXPECT_TRUE(std::isnan(read.volume.values[3]));
+  ASSERT_EQ(read.hasValue.size(), image.gridVoxels());
+  EXPECT_EQ(std::count(read.hasValue.begin(), read.hasValue.end(), 0), 1);
+  EXPECT_EQ(read.hasValue[3], 0);
+  EXPECT_EQ(read.volume.values[4], image.values[4]);
+  EXPECT_EQ(readScalarImage(folder / "a.nii").image->GetBufferPointer()[3], 0.0); // as ITK has it
 }
 
 TEST(FieldImageLayout, NiftiMatricesHaveAsManyValuesAsTheirRowsSay)
@@ -256,7 +274,7 @@ TEST(FieldImageLayout, WrittenNiftiComesBack)
       EXPECT_LE((read.volume.origin - image.origin).norm(), 1e-5);
       EXPECT_TRUE(read.volume.direction.isApprox(image.direction, 1e-6));
       EXPECT_TRUE(read.volume.spacing.isApprox(image.spacing, 1e-6));
-      EXPECT_TRUE(read.valuesInLps);
+      EXPECT_TRUE(read.valuesToLps);
       EXPECT_TRUE(read.warnings.empty()) << read.warnings.front();
     }
   }
@@ -337,7 +355,7 @@ TEST(FieldImageLayout, NrrdValuesAlongTheLastAxisAreThoseOfTheFirst)
                nrrdOf("5 4 3 3", std::string("domain domain domain ") + kind, false).header() + planesOf({ 0, 1, 2 }));
     const FieldImage read = readFieldImage(folder / "a.nrrd");
     expectValues(read.volume, 3);
-    EXPECT_TRUE(read.valuesInLps);
+    EXPECT_TRUE(read.valuesToLps);
   }
   writeBytes(folder / "a.nrrd",
              nrrdOf("5 4 3 6", "domain domain domain 3D-symmetric-matrix", false).header() +

@@ -323,6 +323,29 @@ TEST(LabelImageReader, EmptyLabelmapIsRefused)
   EXPECT_NE(messageOf<BadInput>([&] { (void)readLabelImage(folder / "a.nrrd"); }).find("no voxel"), std::string::npos);
 }
 
+TEST(LabelImageReader, EmptyLabelmapIsReadWhereItIsAllowed)
+{
+  const TestFolder folder;
+  writeBy<itk::NrrdImageIO>(folder / "a.nrrd", filledImage<short>(0).GetPointer());
+  LabelReadOptions options;
+  options.allowEmpty = true;
+  const LabelImage image = readLabelImage(folder / "a.nrrd", options);
+  EXPECT_TRUE(image.labels.empty());
+  ASSERT_EQ(image.warnings.size(), 1u);
+  EXPECT_NE(image.warnings[0].find("no voxel differs from 0"), std::string::npos) << image.warnings[0];
+}
+
+TEST(LabelImageReader, TheRemedyForFractionsIsTheCallers)
+{
+  const TestFolder folder;
+  writeBy<itk::NrrdImageIO>(folder / "a.nrrd", filledImage<float>(0.5F).GetPointer());
+  LabelReadOptions options;
+  options.remedyForFractions = "leave it";
+  const std::string message = errorOf([&] { (void)readLabelImage(folder / "a.nrrd", options); });
+  EXPECT_NE(message.find("leave it"), std::string::npos) << message;
+  EXPECT_EQ(message.find("--threshold"), std::string::npos) << message;
+}
+
 TEST(LabelImageReader, FourDimensionsAreRefusedByName)
 {
   const TestFolder folder;

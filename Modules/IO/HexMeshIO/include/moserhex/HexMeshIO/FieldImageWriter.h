@@ -1,5 +1,6 @@
 #pragma once
 
+#include "moserhex/HexMeshIO/FieldValues.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 #include "moserhex/LevelSet/FieldVolume.h"
 
@@ -7,14 +8,6 @@
 
 namespace moserhex
 {
-
-/** How the numbers of an image are kept, and what several of them in a voxel are. */
-enum class FieldValues
-{
-  Numbers,          ///< 64-bit real numbers; of several a vector
-  SymmetricTensors, ///< the same: xx, xy, xz, yy, yz, zz
-  Labels            ///< one 32-bit integer
-};
 
 /** Writes an image in LPS, complete or not at all: as gzip-compressed NRRD, which keeps NaN and infinity, or as
  * NIfTI-1, with several numbers along dim[5] (tensors: intent 1005, others: 1007, intent_name LPS) and the voxels'

@@ -55,6 +55,9 @@ struct LabelReadOptions
   std::optional<double>      threshold;       ///< voxels at or above it become label 1, all others 0
   std::optional<std::string> segment;         ///< of a .seg.nrrd: its name, its ID, or its number in the file, from 1
   bool                       sandbox{ true }; ///< read in a child process; see readLabelImage
+  bool                       allowEmpty{ false }; ///< an image without labels is read, with a warning, not refused
+  /** What the user can do about values that are fractions. */
+  std::string remedyForFractions{ "give --threshold for a probability map, or integer labels" };
 };
 
 /** Whether this reader takes a file of this name: .nrrd .nhdr .nii .nii.gz .mha .mhd (any case), or a name without any
@@ -79,7 +82,8 @@ isLabelImageName(const std::string & fileName);
  * threads work, or switch it off.
  *
  * \throws BadInput  the file is missing or damaged; not a 3-D scalar image; spacing not in [1e-3, 1e3] mm; direction
- *                   not orthonormal within 1e-3; a value that is not a label; no label; no such segment; the child died
+ *                   not orthonormal within 1e-3; a value that is not a label; no label, unless it may be empty; no such
+ *                   segment; the child died
  * \throws InvalidInput (Usage)  both a threshold and a segment; a threshold that is not finite
  * \throws IOError   the file cannot be opened or read */
 [[nodiscard]] LabelImage
