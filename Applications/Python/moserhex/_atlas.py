@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, List, Optional, Sequence, Union
 
 import numpy
 
@@ -77,6 +77,8 @@ class PermutationTest:
     standardised_difference  (L,) of two groups Cohen's d, of vectors Mahalanobis' D; else None
     permutations             made, the subjects' own order among them
     is_exact                 they are all that there are, and there is no nuisance: p are exact
+    smallest_possible_p      below it no p and no p_family_wise can be with these orders
+    nuisance_left_out        columns of the nuisance that are constant, or follow from those before them
     degrees_of_freedom       subjects less the rank of constant, nuisance and effect
     """
 
@@ -90,6 +92,8 @@ class PermutationTest:
     standardised_difference: Optional[numpy.ndarray]
     permutations: int
     is_exact: bool
+    smallest_possible_p: float
+    nuisance_left_out: List[int]
     degrees_of_freedom: int
 
 

@@ -10,6 +10,8 @@
 #include "moserhex/ShapeStatistics/Procrustes.h"
 #include "moserhex/ShapeStatistics/ShapeModel.h"
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -298,6 +300,8 @@ testByPermutation(const py::object & values,
     result.standardisedDifference.size() > 0 ? py::object(vectorArray(result.standardisedDifference)) : py::none();
   answer["permutations"] = result.permutations;
   answer["is_exact"] = result.isExact;
+  answer["smallest_possible_p"] = result.smallestPossibleP;
+  answer["nuisance_left_out"] = result.nuisanceLeftOut;
   answer["degrees_of_freedom"] = result.degreesOfFreedom;
   return answer;
 }

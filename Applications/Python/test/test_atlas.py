@@ -141,6 +141,8 @@ class Test(unittest.TestCase):
     def test_finds_the_place_that_differs(self):
         test = moserhex.permutation_test(self.values, self.groups)
         self.assertEqual((test.permutations, test.is_exact, test.degrees_of_freedom), (924, True, 10))
+        self.assertAlmostEqual(test.smallest_possible_p, 2 / 924)  # the groups that change places
+        self.assertEqual(test.nuisance_left_out, [])
         self.assertLess(test.p_family_wise[10], 0.01)
         self.assertAlmostEqual(test.p[10], 2 / 924, 12)  # the groups as they are, and with their names changed
         self.assertAlmostEqual(test.q_false_discovery[10], 50 * 2 / 924, 12)
