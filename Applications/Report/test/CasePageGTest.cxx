@@ -102,7 +102,8 @@ TEST_F(CasePage, SaysHowItIsTiedToATemplate)
 
 TEST_F(CasePage, SaysWhatATemplateAloneDoesNotShow)
 {
-  m_Content.report.templateMesh = RunReport::Template{ { { "mesh", "base.vtu", "ff" } }, "none", {}, {}, {}, {}, {} };
+  m_Content.report.templateMesh =
+    RunReport::Template{ { { "mesh", "base.vtu", "ff" } }, "none", {}, {}, {}, {}, {}, {} };
   const std::string page = markupOf(casePage(m_Content));
   EXPECT_NE(page.find("taken as it lies, in one space"), std::string::npos);
   EXPECT_EQ(page.find("one scan"), std::string::npos);
@@ -119,6 +120,18 @@ TEST_F(CasePage, SaysWhenTheLabelsOwnMeshWasDrawnToTheTemplate)
   EXPECT_NE(casePage(m_Content).find("the label's own mesh was drawn to it"), std::string::npos);
 }
 
+TEST_F(CasePage, SaysThatCellsWereFreeToGrow)
+{
+  m_Content.report.templateMesh = tieToTemplate();
+  EXPECT_EQ(casePage(m_Content).find("free to grow"), std::string::npos);
+  m_Content.report.templateMesh->growth = RunReport::Growth{ 0.75, 2.25, 0 };
+  const std::string page = markupOf(casePage(m_Content));
+  EXPECT_NE(page.find("Cells were free to grow as these show, by 0.75 to 2.25 times as much"), std::string::npos);
+  EXPECT_NE(page.find("from 0.75 to 2.2"), std::string::npos); // the methods' text
+  EXPECT_NE(page.find("Variance of the volumes over their growth"), std::string::npos);
+  EXPECT_NE(page.find("Every cell has the same volume over its growth"), std::string::npos);
+}
+
 TEST_F(CasePage, EscapesEveryName)
 {
   const std::size_t scripts = timesIn(casePage(m_Content), "</script>");
@@ -130,7 +143,7 @@ TEST_F(CasePage, EscapesEveryName)
   report.exact->shortcomings = { hostile };
   report.versions = { hostile, hostile, hostile, hostile, hostile };
   report.density = RunReport::Density{ hostile, hostile };
-  report.templateMesh = RunReport::Template{ { { "mesh", hostile, hostile } }, "rigid", {}, {}, {}, {}, {} };
+  report.templateMesh = RunReport::Template{ { { "mesh", hostile, hostile } }, "rigid", {}, {}, {}, {}, {}, {} };
   m_Content.labels.front().name = hostile;
   const std::string page = casePage(m_Content);
   EXPECT_EQ(page.find("<img"), std::string::npos);

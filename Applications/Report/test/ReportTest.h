@@ -50,7 +50,8 @@ tieToTemplate()
            RunReport::Placement{ 1.02, 0.25, 0.125 },
            "template",
            RunReport::Residual{ 2.75, 0.375 },
-           RunReport::Residual{ 1.25, 0.5 } };
+           RunReport::Residual{ 1.25, 0.5 },
+           {} };
 }
 
 /** A box of 4 x 6 x 8 voxels of 1 x 1 x 2 mm, voxel (3,3,3) the first of them, in an image of 12^3 voxels. */

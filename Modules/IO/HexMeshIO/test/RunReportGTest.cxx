@@ -177,6 +177,11 @@ TEST(RunReport, OfATemplateSaysHowItWasPlaced)
                    { "scale", 1.25 },
                    { "surface_rms_after_mm", 0.5 },
                    { "surface_median_after_mm", 0.375 } }));
+  EXPECT_STREQ(equalMeasureOf(report).plural, "volumes");
+  report.templateMesh->growth = RunReport::Growth{ 0.5, 2.0, 3 };
+  EXPECT_EQ(Json::parse(toJson(report))["template"]["local_growth"],
+            Json({ { "smallest", 0.5 }, { "largest", 2.0 }, { "limited_cells", 3 } }));
+  EXPECT_STREQ(equalMeasureOf(report).plural, "volumes over their growth");
 }
 
 TEST(RunReport, NumbersRoundTrip)
