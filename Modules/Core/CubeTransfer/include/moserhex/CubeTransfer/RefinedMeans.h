@@ -18,9 +18,9 @@ struct RefinementOptions
 /** Means over the boxes of a cube, and how exact their integrals over the mesh are. */
 struct RefinedMeans
 {
-  CubeMeans           means;
+  CubeMeans           means;                ///< of the boxes, as cubeMeans has them
   std::vector<double> integrals;            ///< of each component
-  std::vector<double> errors;               ///< of these, as estimated
+  std::vector<double> errors;               ///< of these, as estimated, in their unit
   double              relativeError{ 0.0 }; ///< the largest error over the sum of its boxes' |integral| [1]
 };
 

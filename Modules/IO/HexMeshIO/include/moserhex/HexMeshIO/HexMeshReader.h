@@ -19,7 +19,7 @@ latticeOf(const UnstructuredHexMesh & mesh, const std::string & fileName);
 /** A lattice mesh and what its file says of it. */
 struct HexMeshFile
 {
-  HexMesh                 mesh;
+  HexMesh                 mesh;       ///< LPS [mm]
   std::vector<NamedArray> meshArrays; ///< as HexCellFile::meshArrays
 };
 
