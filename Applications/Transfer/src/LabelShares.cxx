@@ -18,7 +18,7 @@ std::string
 amountText(double amount)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", amount);
+  std::snprintf(text, sizeof text, amount < 1000.0 ? "%.4g" : "%.0f", amount); // no powers of ten
   return text;
 }
 
