@@ -115,7 +115,7 @@ TEST_F(TimeSeriesFiles, CellsThatAreEvenAtOneTimeOnlyAreAWarning)
   EXPECT_NE(ofBaseline[0].find("Volumetric is no local growth"), std::string::npos) << ofBaseline[0];
   EXPECT_TRUE(readTimeSeries(of({ "uneven.vtu", "uneven.vtu" })).warnings.empty());
   HexMeshFields grown;
-  grown.meshArrays = { localGrowthArray(0.5, 2.0) };
+  grown.meshArrays = localGrowthArrays(0.5, 2.0);
   writeHexMesh(m_Folder / "grown.vtu", unevenLattice(), grown);
   EXPECT_TRUE(readTimeSeries(of({ "a.vtu", "grown.vtu" })).warnings.empty());
 }

@@ -96,10 +96,19 @@ pairedByRow(const std::vector<ListedPoint> & ofTemplate,
                      std::to_string(ofTemplate.size()),
                    remedy);
   }
-  std::vector<CorrespondingPoints> points;
-  for (std::size_t row = 0; row < ofTemplate.size(); ++row)
+  std::map<std::size_t, const ListedPoint *> solidByRow;
+  for (const ListedPoint & point : ofSolid)
   {
-    addPair(ofTemplate[row], ofSolid[row], points);
+    solidByRow.emplace(point.row, &point);
+  }
+  std::vector<CorrespondingPoints> points;
+  for (const ListedPoint & point : ofTemplate)
+  {
+    const auto found = solidByRow.find(point.row);
+    if (found != solidByRow.end())
+    {
+      addPair(point, *found->second, points);
+    }
   }
   return points;
 }

@@ -118,7 +118,11 @@ recordOf(const RunReport & report)
   std::vector<NamedArray> arrays = latticeTurnArrays(report.latticeTurn.value_or(Vector3::Zero()));
   if (report.templateMesh && report.templateMesh->growth)
   {
-    arrays.push_back(localGrowthArray(report.templateMesh->growth->smallest, report.templateMesh->growth->largest));
+    const RunReport::Growth & growth = *report.templateMesh->growth;
+    for (NamedArray & array : localGrowthArrays(growth.smallest, growth.largest))
+    {
+      arrays.push_back(std::move(array));
+    }
   }
   return arrays;
 }

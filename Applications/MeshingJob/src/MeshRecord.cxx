@@ -22,8 +22,15 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr const char * turnArray = "LatticeTurn";
-constexpr const char * growthArray = "LocalGrowth";
+constexpr const char * smallestGrowthArray = "SmallestGrowth";
+constexpr const char * largestGrowthArray = "LargestGrowth";
 const double           degree = std::acos(-1.0) / 180.0;
+
+bool
+isOfGrowth(const NamedArray & array)
+{
+  return array.name == smallestGrowthArray || array.name == largestGrowthArray;
+}
 
 /** The report; discarded when there is none. */
 Json
@@ -148,17 +155,16 @@ turnWarnings(const std::vector<TurnOfFile> & meshes, const std::string & consequ
   return warnings;
 }
 
-NamedArray
-localGrowthArray(double smallest, double largest)
+std::vector<NamedArray>
+localGrowthArrays(double smallest, double largest)
 {
-  return { growthArray, 2, { smallest, largest } };
+  return { { smallestGrowthArray, 1, { smallest } }, { largestGrowthArray, 1, { largest } } };
 }
 
 bool
 hasLocalGrowth(const std::string & meshFile, const std::vector<NamedArray> & meshArrays)
 {
-  const bool isInFile = std::any_of(
-    meshArrays.begin(), meshArrays.end(), [](const NamedArray & named) { return named.name == growthArray; });
+  const bool isInFile = std::any_of(meshArrays.begin(), meshArrays.end(), isOfGrowth);
   const Json report = reportBeside(meshFile);
   return isInFile || (report.is_object() && report.contains(Json::json_pointer("/template/local_growth")));
 }
@@ -168,9 +174,7 @@ recordOf(const std::string & meshFile, const std::vector<NamedArray> & meshArray
 {
   const std::optional<LatticeTurn> turn = turnOfLattice(meshFile, meshArrays);
   std::vector<NamedArray> record = latticeTurnArrays(turn ? turn->rotation.value_or(Vector3::Zero()) : Vector3::Zero());
-  std::copy_if(meshArrays.begin(), meshArrays.end(), std::back_inserter(record), [](const NamedArray & named) {
-    return named.name == growthArray;
-  });
+  std::copy_if(meshArrays.begin(), meshArrays.end(), std::back_inserter(record), isOfGrowth);
   return record;
 }
 

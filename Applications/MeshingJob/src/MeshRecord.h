@@ -50,13 +50,13 @@ struct TurnOfFile
 [[nodiscard]] std::vector<std::string>
 turnWarnings(const std::vector<TurnOfFile> & meshes, const std::string & consequence);
 
-/** The array LocalGrowth of a mesh's file: its cells were free to grow differently. \param smallest, largest  growth of
- * a cell, in parts of the organ's [1] */
-[[nodiscard]] NamedArray
-localGrowthArray(double smallest, double largest);
+/** The arrays SmallestGrowth and LargestGrowth of a mesh's file: its cells were free to grow differently.
+ * \param smallest, largest  growth of a cell, in parts of the organ's [1] */
+[[nodiscard]] std::vector<NamedArray>
+localGrowthArrays(double smallest, double largest);
 
-/** Whether a mesh's cells were free to grow differently, by the array LocalGrowth of its file or else by the report
- * beside it. \param meshArrays  of that file */
+/** Whether a mesh's cells were free to grow differently, by the arrays of its file or else by the report beside it.
+ * \param meshArrays  of that file */
 [[nodiscard]] bool
 hasLocalGrowth(const std::string & meshFile, const std::vector<NamedArray> & meshArrays);
 

@@ -83,6 +83,7 @@ TEST(MeshArguments, EveryOptionIsGiven)
   options.templateLandmarks = "tl.csv";
   options.image = "i.nrrd";
   options.templateImage = "ti.nrrd";
+  options.localGrowth = true;
   const std::vector<std::string> arguments = meshingArguments(options);
   for (const std::string & name : meshingOptionNames())
   {

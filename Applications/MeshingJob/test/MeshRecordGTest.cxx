@@ -111,8 +111,7 @@ TEST(MeshRecord, OnlyTurnsThatDifferAreWarnedOf)
 TEST(MeshRecord, LocalGrowthIsTold)
 {
   const TestFolder folder;
-  const auto       inFile = std::vector<NamedArray>{ localGrowthArray(0.8, 2.1) };
-  EXPECT_TRUE(hasLocalGrowth(folder / "a.vtu", inFile));
+  EXPECT_TRUE(hasLocalGrowth(folder / "a.vtu", localGrowthArrays(0.8, 2.1)));
   EXPECT_FALSE(hasLocalGrowth(folder / "a.vtu", {}));
   writeBytes(folder / "a.json", R"({"template": {"local_growth": {"smallest": 0.8}}})");
   EXPECT_TRUE(hasLocalGrowth(folder / "a.vtu", {}));
@@ -123,13 +122,14 @@ TEST(MeshRecord, LocalGrowthIsTold)
 TEST(MeshRecord, IsKeptForAnotherFileOfTheMesh)
 {
   const TestFolder        folder;
-  std::vector<NamedArray> inFile = latticeTurnArrays({ 0, 0, 45 });
-  inFile.push_back(localGrowthArray(0.8, 2.1));
+  std::vector<NamedArray> inFile = localGrowthArrays(0.8, 2.1);
   inFile.push_back({ "Other", 1, { 1.0 } });
+  inFile.push_back(latticeTurnArrays({ 0, 0, 45 }).front());
   const std::vector<NamedArray> kept = recordOf(folder / "a.vtu", inFile);
-  ASSERT_EQ(kept.size(), 2u);
+  ASSERT_EQ(kept.size(), 3u);
   EXPECT_EQ(kept[0].name, "LatticeTurn");
-  EXPECT_EQ(kept[1].values, inFile[1].values);
+  EXPECT_EQ(kept[1].values, inFile[0].values);
+  EXPECT_EQ(kept[2].values, inFile[1].values);
 }
 
 TEST(MeshRecord, AMeshThatIsNotExactIsTold)

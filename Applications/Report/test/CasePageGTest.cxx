@@ -126,7 +126,7 @@ TEST_F(CasePage, SaysThatCellsWereFreeToGrow)
   EXPECT_EQ(casePage(m_Content).find("free to grow"), std::string::npos);
   m_Content.report.templateMesh->growth = RunReport::Growth{ 0.75, 2.25, 0 };
   const std::string page = markupOf(casePage(m_Content));
-  EXPECT_NE(page.find("Cells were free to grow as these show, by 0.75 to 2.25 times as much"), std::string::npos);
+  EXPECT_NE(page.find("Cells were free to grow as these show, by 0.75 to 2.2 times as much"), std::string::npos);
   EXPECT_NE(page.find("from 0.75 to 2.2"), std::string::npos); // the methods' text
   EXPECT_NE(page.find("Variance of the volumes over their growth"), std::string::npos);
   EXPECT_NE(page.find("Every cell has the same volume over its growth"), std::string::npos);

@@ -226,6 +226,7 @@ readTable(const std::string & fileName)
   for (const TextTable::Row & row : table.rows)
   {
     list.points.push_back(columns.point(row.cells, row.line));
+    list.points.back().row = row.number;
   }
   return list;
 }
@@ -280,6 +281,7 @@ readFiducials(const std::string & fileName)
     ListedPoint point = PointColumns(fileName, columns, toLps(fileName, system.value_or("RAS"))).point(cells, row.line);
     point.position = isDefined ? point.position : std::nullopt;
     point.others.clear();
+    point.row = list.points.size() + 1;
     list.points.push_back(std::move(point));
   }
   if (!system && !list.points.empty())
@@ -293,6 +295,7 @@ ListedPoint
 controlPoint(const std::string & fileName, const Json & json, const Vector3 & factors, std::size_t number)
 {
   ListedPoint point;
+  point.row = number;
   point.label = json.value("label", "");
   point.description = json.value("description", "");
   point.name = point.label.empty() ? "point " + std::to_string(number) : point.label;

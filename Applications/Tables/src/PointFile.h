@@ -17,6 +17,7 @@ struct ListedPoint
   std::optional<Vector3>   position;    ///< LPS [mm]
   std::optional<Vector3>   cube;        ///< c in [0,1]^3; only tables have it
   std::vector<std::string> others;      ///< as many as there are other columns
+  std::size_t              row{ 0 };    ///< of the list, from 1; blank rows of a table, which are no points, count
 };
 
 /** Points of a file, with the columns of a table that are not theirs. */

@@ -75,7 +75,7 @@ public:
   {
     while (m_Position < m_Text.size())
     {
-      row = { m_Line, {} };
+      row = { m_Line, {}, m_Number++ };
       bool more = true;
       while (more)
       {
@@ -179,6 +179,7 @@ private:
   char                m_Separator;
   std::size_t         m_Position{ 0 };
   std::size_t         m_Line;
+  std::size_t         m_Number{ 0 }; ///< of the next row
 };
 
 [[nodiscard]] char
@@ -251,7 +252,8 @@ readTextTable(const std::string & fileName)
     throw BadInput(ErrorCode::Empty, fileName, "there are no column names", "name the columns in the first line");
   }
   requireColumnNames(fileName, row);
-  TextTable table{ row.cells, {} };
+  const std::size_t names = row.number;
+  TextTable         table{ row.cells, {} };
   while (reader.next(row))
   {
     if (row.cells.size() != table.columns.size())
@@ -261,6 +263,7 @@ readTextTable(const std::string & fileName)
              std::to_string(row.cells.size()) + " cells for " + std::to_string(table.columns.size()) + " columns",
              "give each column a cell; quote a cell that holds the separator");
     }
+    row.number -= names;
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -12,8 +12,9 @@ struct TextTable
 {
   struct Row
   {
-    std::size_t              line{ 0 }; ///< of the file, from 1
-    std::vector<std::string> cells;     ///< as many as there are columns
+    std::size_t              line{ 0 };   ///< of the file, from 1
+    std::vector<std::string> cells;       ///< as many as there are columns
+    std::size_t              number{ 0 }; ///< from 1 after the column names; rows that do not count have one, too
   };
 
   std::vector<std::string> columns;
