@@ -124,7 +124,10 @@ test("an atlas's page has its subjects, its model and the mean in 3-D", async ()
 
 test("an atlas of groups with images shows where they differ, and the mean image", async () => {
   const { page, faults } = await openPage(browser, "study/atlas.html");
-  assert.match(await page.locator("#tests tbody th").innerText(), /^arm, treated \(3\) against control \(3\)$/);
+  assert.deepEqual(await page.locator("#tests tbody th").allInnerTexts(), [
+    "arm, treated (3) against control (3)",
+    "arm, treated (3) against control (3), images",
+  ]);
   assert.equal(await page.locator("#images svg.slice image").count(), 6);
   const greys = await page.locator("#images svg.slice image").first().evaluate(async (of) => {
     const picture = new Image();
