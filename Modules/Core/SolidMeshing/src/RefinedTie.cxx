@@ -186,6 +186,10 @@ RefinedTie::judge(const HexMesh & tied)
     text << "refined by " << report.smallestPull << " of the pull only, as with more the mesh was not exact";
     m_Result.warnings.push_back(text.str());
   }
+  if (m_Refinement.localGrowth && !report.growth)
+  {
+    m_Result.warnings.emplace_back("local growth was not found: all cells are equal");
+  }
   if (report.growth && report.growth->limited > 0)
   {
     m_Result.warnings.push_back("local growth: " + std::to_string(report.growth->limited) +

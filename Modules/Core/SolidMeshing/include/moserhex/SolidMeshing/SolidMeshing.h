@@ -237,6 +237,8 @@ meshSolid(const LevelSet &            ordering,
  * With options.density the cells are then made equal by mass under the same ties: where the density says that one part
  * of the solid has grown, or is the other subject's, its cells grow, and nodes elsewhere stay.
  *
+ * With options.refinement.localGrowth the cells' volumes are found, too, and "exact" is against these.
+ *
  * result.stages: "template", "exact" and, with a refinement, "refined", with a density, "masses". result.alignment is
  * set where the template is aligned; there are no shells and no sphere maps. Landmarks that lie farther outside of
  * their organ than 5 mm and two mean cell edges are a warning. \throws InvalidInput  no template, one of another size
