@@ -18,7 +18,7 @@ namespace moserhex
 namespace
 {
 
-const double degree = std::acos(-1.0) / 180.0;
+const double degree = pi / 180.0;
 
 /** An exact mesh of at least this smallest scaled Jacobian ends the search for a better frame [1]. */
 constexpr double ampleScaledJacobian = 0.1;

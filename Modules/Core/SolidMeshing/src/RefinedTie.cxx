@@ -21,7 +21,7 @@ constexpr std::size_t growthRounds = 3;
 
 /** w_r, w_i and w_v while volumes are found. Springs and images are ten times as strong against the cells' shapes,
  * which are no material, as for equal cells, and volumes are hardly held: a ball of twice the volume is found with
- * nearly all of it, and where nothing grew cells stay within 5 % (LocalGrowth.*). */
+ * nearly all of it (LocalGrowth.*). */
 constexpr double                     looseReferenceWeight = 1.0;
 constexpr double                     looseImageWeight = 10.0;
 const std::vector<EqualisationStage> looseStages{ { 0.05, 0.1, 80.0, 60 }, { 0.02, 0.1, 80.0, 60 } };
@@ -63,7 +63,7 @@ RefinedTie::refined(const EqualisationResult & tied, const SignedDistance & phi,
   {
     m_Result.warnings.emplace_back("the refinement stopped early, as further meshes were not exact");
   }
-  judge(tied.mesh);
+  judge(tied);
   return std::move(m_Result);
 }
 
@@ -158,27 +158,52 @@ RefinedTie::refineOnce(const SignedDistance & phi, bool findsGrowth, const Progr
 }
 
 void
-RefinedTie::judge(const HexMesh & tied)
+RefinedTie::leaveOut(const EqualisationResult & tied)
+{
+  TemplateRefinementResult & report = m_Result.report;
+  m_Result.equalisation = tied;
+  report.growth.reset();
+  report.smallestPull = 1.0;
+  for (std::optional<RefinedResidual> * residual : { &report.landmarkError, &report.imageDifference })
+  {
+    if (*residual)
+    {
+      (*residual)->after = (*residual)->before;
+    }
+  }
+}
+
+void
+RefinedTie::judge(const EqualisationResult & tied)
 {
   TemplateRefinementResult & report = m_Result.report;
   const HexMesh &            mesh = m_Result.equalisation.mesh;
   bool                       isNearer = false;
-  const auto                 compare = [&isNearer](double before, double after) {
+  std::string                farther;
+  const auto                 compare = [&](const char * what, double before, double after) {
     isNearer = isNearer || after < before;
+    farther = after > before ? what : farther;
     return RefinedResidual{ before, after };
   };
   if (!m_Refiner.landmarks().empty())
   {
     report.landmarkError =
-      compare(landmarkError(tied, m_Refiner.landmarks()), landmarkError(mesh, m_Refiner.landmarks()));
+      compare("landmarks", landmarkError(tied.mesh, m_Refiner.landmarks()), landmarkError(mesh, m_Refiner.landmarks()));
   }
   if (m_Sharpest)
   {
-    report.imageDifference = compare(imageDifference(tied, *m_Sharpest), imageDifference(mesh, *m_Sharpest));
+    report.imageDifference =
+      compare("images", imageDifference(tied.mesh, *m_Sharpest), imageDifference(mesh, *m_Sharpest));
   }
   if (!isNearer)
   {
-    m_Result.warnings.emplace_back("the refinement brought neither landmarks nor images nearer to each other");
+    m_Result.warnings.emplace_back("the refinement brought neither landmarks nor images nearer to each other, and was "
+                                   "left out");
+    leaveOut(tied);
+  }
+  else if (!farther.empty())
+  {
+    m_Result.warnings.push_back("the refinement brought the " + farther + " farther from each other");
   }
   if (report.smallestPull < 1.0)
   {

@@ -59,8 +59,12 @@ private:
   [[nodiscard]] HexMesh
   loosened(const SignedDistance & phi, const ProgressCallback & progress) const;
 
+  /** Back to the tied mesh. */
   void
-  judge(const HexMesh & tied);
+  leaveOut(const EqualisationResult & tied);
+
+  void
+  judge(const EqualisationResult & tied);
 
   const TemplateRefinement &  m_Refinement;
   TemplateRefiner             m_Refiner;

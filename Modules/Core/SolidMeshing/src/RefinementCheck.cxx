@@ -1,5 +1,6 @@
 #include "RefinementCheck.h"
 
+#include "CellShares.h"
 #include "TemplateRefiner.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/SolidMeshing/SurfaceAlignment.h"
@@ -90,6 +91,28 @@ distancesOutside(const std::vector<CorrespondingPoints> & landmarks, const Level
   return signedDistancesToSurface(points, phi); // negative inside: not beyond any bound
 }
 
+/** Where cells of the template are uneven, growth would come out as that, turned round.
+ * \throws InvalidInput (Template) */
+void
+requireEqualCells(const HexMesh & templateMesh)
+{
+  constexpr double equal = 1e-6; // variance of the volumes [1]
+  double           squares = 0.0;
+  for (const double share : cellShares(templateMesh))
+  {
+    squares += (share - 1.0) * (share - 1.0);
+  }
+  const double variance = squares / static_cast<double>(templateMesh.cellCount());
+  if (!(variance <= equal))
+  {
+    std::ostringstream text;
+    text << "template: the volumes of its cells differ (variance " << std::setprecision(2) << variance
+         << "), so that local growth against it cannot be told; take one of equal cells, without local growth and "
+            "density";
+    throw InvalidInput(ErrorCode::Template, text.str());
+  }
+}
+
 } // namespace
 
 std::vector<std::string>
@@ -102,6 +125,10 @@ checkRefinement(const HexMesh &            templateMesh,
   if (!refinement.any())
   {
     return warnings;
+  }
+  if (refinement.localGrowth)
+  {
+    requireEqualCells(templateMesh);
   }
   const TemplateRefiner refiner(templateMesh, refinement);
   const double          edge = edgeOf(templateMesh, volume);

@@ -7,6 +7,7 @@
 #include "moserhex/Geometry/HexMeshNumbering.h"
 #include "moserhex/Geometry/QuadFans.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -118,12 +119,46 @@ requireCovered(const ScalarVolume & image, const Positions & points, const Image
   }
 }
 
-/** An image at the samples, its mean there and its standard deviation. */
+/** The levels of an image's darkest and brightest tissues: unlike mean and deviation they do not depend on how much of
+ * the organ these fill, so that what has grown or shrunk keeps its grey value. */
+struct GreyLevels
+{
+  double dark{ 0.0 };
+  double bright{ 0.0 };
+
+  [[nodiscard]] double
+  middle() const
+  {
+    return 0.5 * (dark + bright);
+  }
+
+  [[nodiscard]] double
+  range() const
+  {
+    return bright - dark;
+  }
+};
+
+/** Quantiles at both ends. \param values  of the samples, as many as there are */
+GreyLevels
+greyLevelsOf(std::vector<double> values)
+{
+  constexpr double share = 0.005; // of the samples that may lie beyond either level: noise, vessels
+  const auto       at = [&values](double part) {
+    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
+  };
+  const double dark = at(share);
+  return { dark, at(1.0 - share) };
+}
+
+/** An image at the samples, its levels there and its standard deviation. */
 struct SampledImage
 {
   std::shared_ptr<const SmoothedImage> image;
   std::vector<double>                  values;
-  double                               mean{ 0.0 };
+  GreyLevels                           levels;
   double                               deviation{ 0.0 };
 };
 
@@ -134,17 +169,19 @@ sampled(const ScalarVolume & image, const HexMesh & mesh, double scale, const Im
   requireCovered(image, points, side);
   SampledImage result;
   result.image = std::make_shared<const SmoothedImage>(image, points, scale * cellEdge(mesh));
+  double mean = 0.0;
   for (const Vector3 & point : points)
   {
     result.values.push_back(result.image->at(point).value);
-    result.mean += result.values.back() / static_cast<double>(points.size());
+    mean += result.values.back() / static_cast<double>(points.size());
   }
   for (const double value : result.values)
   {
-    result.deviation += std::pow(value - result.mean, 2) / static_cast<double>(points.size());
+    result.deviation += std::pow(value - mean, 2) / static_cast<double>(points.size());
   }
   result.deviation = std::sqrt(result.deviation);
-  if (!(result.deviation > roundingOfValues * std::abs(result.mean)))
+  result.levels = greyLevelsOf(result.values);
+  if (!(result.deviation > roundingOfValues * std::abs(mean) && result.levels.range() > 0.0))
   {
     throw InvalidInput(side.code, std::string(side.name) + ": it is the same everywhere in the organ");
   }
@@ -192,15 +229,17 @@ TemplateRefiner::image(const HexMesh & mesh, double scale) const
 {
   const SampledImage ofTemplate = sampled(m_Refinement.images->ofTemplate, m_Template, scale, templateSide);
   const SampledImage ofSolid = sampled(m_Refinement.images->ofSolid, mesh, scale, solidSide);
+  const double       unit = ofTemplate.deviation;
   LatticeImage       result;
   for (const double value : ofTemplate.values)
   {
-    result.values.push_back((value - ofTemplate.mean) / ofTemplate.deviation);
+    result.values.push_back((value - ofTemplate.levels.middle()) / unit);
   }
-  result.image = [ofSolid](const Vector3 & p) {
+  const double gain = ofTemplate.levels.range() / (ofSolid.levels.range() * unit);
+  result.image = [ofSolid, gain](const Vector3 & p) {
     ValueAndGradient found = ofSolid.image->at(p);
-    found.value = (found.value - ofSolid.mean) / ofSolid.deviation;
-    found.gradient /= ofSolid.deviation;
+    found.value = (found.value - ofSolid.levels.middle()) * gain;
+    found.gradient *= gain;
     return found;
   };
   return result;

@@ -11,8 +11,9 @@ namespace moserhex
 /** Turns what a template's refinement says into ties of a lattice.
  *
  * A landmark's place is the one of its point in the template's mesh; outside of it the nearest one on its boundary.
- * Images are made smooth at a scale and compared at the lattice's samples, in units of their standard deviation there,
- * about their mean. Both do not change while cells keep equal volumes: the map preserves the histogram. */
+ * Images are made smooth at a scale and compared at the lattice's samples, in units of the template's standard
+ * deviation there. Brightness and contrast are taken away by the grey levels of the darkest and brightest tissues
+ * (quantiles of 1 and 99 %), which do not depend on how much of the organ these fill. */
 class TemplateRefiner
 {
 public:

@@ -12,7 +12,7 @@ namespace moserhex
 namespace
 {
 
-const double degree = std::acos(-1.0) / 180.0;
+const double degree = pi / 180.0;
 
 /** Of the lattice of rotation vectors [degree]. */
 constexpr double stepOfTurns = 12.5;

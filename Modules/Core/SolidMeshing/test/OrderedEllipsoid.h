@@ -7,8 +7,6 @@
 namespace moserhex
 {
 
-constexpr double pi = 3.141592653589793;
-
 /** phi and s of an ellipsoid: phi = first-order signed distance, s = squared relative size. */
 struct OrderedSolid
 {

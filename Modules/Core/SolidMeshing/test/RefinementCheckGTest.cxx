@@ -3,11 +3,9 @@
 
 #include "OrderedEllipsoid.h"
 #include "moserhex/Analytic/Lattices.h"
-#include "moserhex/Common/Errors.h"
+#include "moserhex/Analytic/Refusals.h"
 
 #include <gtest/gtest.h>
-
-#include <optional>
 
 using namespace moserhex;
 
@@ -34,21 +32,6 @@ warningsOn(const std::vector<CorrespondingPoints> & landmarks)
   TemplateRefinement refinement;
   refinement.landmarks = landmarks;
   return checkRefinement(cube(), refinement, solid().phi, solid().volume);
-}
-
-template <typename TCall>
-std::optional<ErrorCode>
-codeOf(const TCall & call)
-{
-  try
-  {
-    call();
-  }
-  catch (const InvalidInput & error)
-  {
-    return error.code();
-  }
-  return std::nullopt;
 }
 
 /** Of voxels of 1 mm, from one corner to another. */
@@ -92,8 +75,11 @@ TEST(RefinementCheck, LandmarksFarFromTheirOrgansAreNamed)
 TEST(RefinementCheck, LandmarksThatAreAllElsewhereAreRefused)
 {
   const Vector3 elsewhere(-200.0, 30.0, 0.0);
-  EXPECT_EQ(codeOf([&] { (void)warningsOn({ { elsewhere, Vector3::Zero(), "a" } }); }), ErrorCode::TemplateLandmarks);
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(analytic::codeThrownBy([&] {
+              (void)warningsOn({ { elsewhere, Vector3::Zero(), "a" } });
+            }),
+            ErrorCode::TemplateLandmarks);
+  EXPECT_EQ(analytic::codeThrownBy([&] {
               (void)warningsOn({ { middle, elsewhere, "a" }, { middle, elsewhere, "b" } });
             }),
             ErrorCode::Landmarks);
@@ -102,16 +88,15 @@ TEST(RefinementCheck, LandmarksThatAreAllElsewhereAreRefused)
 TEST(RefinementCheck, ImagesMustCoverTheirOrgans)
 {
   const auto check = [](const ScalarVolume & ofTemplate, const ScalarVolume & ofSolid) {
-    return codeOf([&] {
-      TemplateRefinement refinement;
-      refinement.images = CorrespondingImages{ ofTemplate, ofSolid };
-      (void)checkRefinement(cube(), refinement, solid().phi, solid().volume);
-    });
+    TemplateRefinement refinement;
+    refinement.images = CorrespondingImages{ ofTemplate, ofSolid };
+    (void)checkRefinement(cube(), refinement, solid().phi, solid().volume);
   };
   const ScalarVolume onTemplate = image(Vector3::Zero(), Vector3::Constant(10.0));
   const ScalarVolume onSolid = image(Vector3(-15.0, -12.0, -10.0), Vector3(15.0, 12.0, 10.0));
-  EXPECT_EQ(check(onTemplate, onSolid), std::nullopt);
-  EXPECT_EQ(check(onSolid, onSolid), std::nullopt);
-  EXPECT_EQ(check(image(Vector3::Zero(), Vector3::Constant(8.0)), onSolid), ErrorCode::TemplateImage);
-  EXPECT_EQ(check(onTemplate, onTemplate), ErrorCode::Image);
+  EXPECT_NO_THROW(check(onTemplate, onSolid));
+  EXPECT_NO_THROW(check(onSolid, onSolid));
+  const ScalarVolume small = image(Vector3::Zero(), Vector3::Constant(8.0));
+  EXPECT_EQ(analytic::codeThrownBy([&] { check(small, onSolid); }), ErrorCode::TemplateImage);
+  EXPECT_EQ(analytic::codeThrownBy([&] { check(onTemplate, onTemplate); }), ErrorCode::Image);
 }

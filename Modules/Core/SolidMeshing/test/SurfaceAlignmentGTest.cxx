@@ -65,7 +65,7 @@ TEST(SurfaceAlignment, UndoesAMotion)
   EXPECT_LT(result.rmsAfter, 0.05);
   EXPECT_LT((result.motion.matrix * turn - Matrix3::Identity()).norm(), 0.01);
   EXPECT_LT((result.motion.matrix * shift + result.motion.translation).norm(), 0.05);
-  EXPECT_NEAR(result.motion.angle(), 0.3 * 180.0 / std::acos(-1.0), 0.5);
+  EXPECT_NEAR(result.motion.angle(), 0.3 * 180.0 / pi, 0.5);
   EXPECT_NEAR(result.shift, shift.norm(), 0.1);
 }
 

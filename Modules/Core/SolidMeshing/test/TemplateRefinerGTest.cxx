@@ -3,12 +3,12 @@
 
 #include "SmoothedImage.h"
 #include "moserhex/Analytic/Lattices.h"
-#include "moserhex/Common/Errors.h"
+#include "moserhex/Analytic/Refusals.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 using namespace moserhex;
 
@@ -57,21 +57,6 @@ landmarkAt(const Vector3 & onTemplate, const Vector3 & onSolid)
   TemplateRefinement refinement;
   refinement.landmarks = { { onTemplate, onSolid } };
   return refinement;
-}
-
-template <typename TCall>
-std::optional<ErrorCode>
-codeOf(const TCall & call)
-{
-  try
-  {
-    call();
-  }
-  catch (const InvalidInput & error)
-  {
-    return error.code();
-  }
-  return std::nullopt;
 }
 
 } // namespace
@@ -124,11 +109,12 @@ TEST(TemplateRefiner, AnImageInOtherUnitsIsTheSame)
   }
 }
 
-TEST(TemplateRefiner, ImagesAreInUnitsOfTheirDeviation)
+TEST(TemplateRefiner, ImagesAreInUnitsOfTheTemplatesDeviationWhateverTheirBrightness)
 {
   const HexMesh      mesh = cube();
   TemplateRefinement refinement;
-  refinement.images = CorrespondingImages{ imageOf(wave), imageOf(wave) };
+  const auto         brighter = [](const Vector3 & p) { return 7.0 + 3.0 * wave(p); };
+  refinement.images = CorrespondingImages{ imageOf(wave), imageOf(brighter) };
   const LatticeImage image = TemplateRefiner(mesh, refinement).image(mesh, 1.0);
   double             sum = 0.0;
   double             squares = 0.0;
@@ -138,8 +124,25 @@ TEST(TemplateRefiner, ImagesAreInUnitsOfTheirDeviation)
     squares += value * value;
   }
   const auto count = static_cast<double>(image.values.size());
-  EXPECT_NEAR(sum / count, 0.0, 1e-12);
-  EXPECT_NEAR(squares / count, 1.0, 1e-12);
+  EXPECT_NEAR(squares / count - std::pow(sum / count, 2), 1.0, 1e-12);
+  EXPECT_LT(imageDifference(mesh, image), 1e-12);
+}
+
+TEST(TemplateRefiner, GreyValuesDoNotDependOnHowMuchOfTheOrganATissueFills)
+{
+  const auto ball = [](double radius) {
+    return imageOf([radius](const Vector3 & p) {
+      return 100.0 + 50.0 / (1.0 + std::exp(4.0 * ((p - Vector3::Constant(5.0)).norm() - radius)));
+    });
+  };
+  const HexMesh      mesh = cube();
+  TemplateRefinement refinement;
+  refinement.images = CorrespondingImages{ ball(4.0), ball(3.0) }; // 27 and 11 % of the cube
+  const LatticeImage image = TemplateRefiner(mesh, refinement).image(mesh, 0.5);
+  const double       bright = *std::max_element(image.values.begin(), image.values.end());
+  const double       dark = *std::min_element(image.values.begin(), image.values.end());
+  EXPECT_NEAR(image.image(Vector3::Constant(5.0)).value, bright, 0.1 * (bright - dark));
+  EXPECT_NEAR(image.image(Vector3::Constant(0.5)).value, dark, 0.1 * (bright - dark));
 }
 
 TEST(TemplateRefiner, RefusesWhatSaysNothing)
@@ -148,14 +151,17 @@ TEST(TemplateRefiner, RefusesWhatSaysNothing)
   EXPECT_THROW(TemplateRefiner(mesh, landmarkAt(Vector3::Constant(NAN), Vector3::Zero())), InvalidInput);
   TemplateRefinement refinement;
   refinement.images = CorrespondingImages{ imageOf(wave, -2.0), imageOf(wave) }; // does not cover the cube
-  EXPECT_EQ(codeOf([&] { TemplateRefiner(mesh, refinement); }), ErrorCode::TemplateImage);
+  EXPECT_EQ(analytic::codeThrownBy([&] { TemplateRefiner(mesh, refinement); }), ErrorCode::TemplateImage);
   refinement.images = CorrespondingImages{ imageOf(wave), imageOf(wave, -2.0) };
-  EXPECT_EQ(codeOf([&] { TemplateRefiner(mesh, refinement).requireSolidCovered(mesh.nodes); }), ErrorCode::Image);
+  EXPECT_EQ(analytic::codeThrownBy([&] { TemplateRefiner(mesh, refinement).requireSolidCovered(mesh.nodes); }),
+            ErrorCode::Image);
   const ScalarVolume constant = imageOf([](const Vector3 &) { return 7.0; });
   refinement.images = CorrespondingImages{ constant, imageOf(wave) };
-  EXPECT_EQ(codeOf([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }), ErrorCode::TemplateImage);
+  EXPECT_EQ(analytic::codeThrownBy([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }),
+            ErrorCode::TemplateImage);
   refinement.images = CorrespondingImages{ imageOf(wave), constant };
-  EXPECT_EQ(codeOf([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }), ErrorCode::Image);
+  EXPECT_EQ(analytic::codeThrownBy([&] { (void)TemplateRefiner(mesh, refinement).image(mesh, 1.0); }),
+            ErrorCode::Image);
 }
 
 TEST(SmoothedImage, WavesShorterThanItsGridLeaveNoPattern)
@@ -163,7 +169,7 @@ TEST(SmoothedImage, WavesShorterThanItsGridLeaveNoPattern)
   const double sigma = 4.0; // a grid of 2 mm on voxels of 0.5 mm
   for (const double wavelength : { 1.25, 1.7, 1.9, 2.3, 2.9 })
   {
-    const double        k = 2.0 * 3.141592653589793 / wavelength;
+    const double        k = 2.0 * pi / wavelength;
     const SmoothedImage waves(
       imageOf([k](const Vector3 & q) { return std::sin(k * q.x() + 0.5 * k * q.z()); }, 14.0), cube().nodes, sigma);
     for (double x = 0.0; x <= 10.0; x += 0.37)
