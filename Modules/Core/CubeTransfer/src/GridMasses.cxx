@@ -17,7 +17,8 @@ namespace moserhex
 namespace
 {
 
-constexpr int         rounds = 8; ///< of balancing; each takes out most of what is left of the noise
+constexpr int         mostRounds = 100; ///< of balancing
+constexpr double      balanced = 1e-3;  ///< of a voxel's volume: what its shares may be off by after balancing [1]
 constexpr std::size_t boxesPerBlock = 32;
 constexpr std::size_t voxelsPerBlock = 1024;
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1); ///< number of the voxel beyond the grid
@@ -206,21 +207,44 @@ balanceBoxes(const std::vector<double> & volumes, std::vector<Shares> & shares)
   }
 }
 
-/** Scales the shares of every full voxel to its volume. */
-void
-balanceFullVoxels(const std::vector<char> & full, double voxelVolume, std::vector<Shares> & shares)
+/** Scales the shares of every full voxel to its volume, and those of others to at most that.
+ * \return the largest factor's distance from 1 */
+double
+balanceVoxels(const std::vector<char> & full, double voxelVolume, std::vector<Shares> & shares)
 {
-  const std::vector<double> volumes = volumesInVoxels(shares, full.size());
+  std::vector<double> factors = volumesInVoxels(shares, full.size());
+  double              largest = 0.0;
+  for (std::size_t voxel = 0; voxel < factors.size(); ++voxel)
+  {
+    const double volume = factors[voxel];
+    factors[voxel] = volume > 0.0 && (full[voxel] != 0 || volume > voxelVolume) ? voxelVolume / volume : 1.0;
+    largest = std::max(largest, std::abs(factors[voxel] - 1.0));
+  }
   for (Shares & ofBox : shares)
   {
     for (Share & share : ofBox)
     {
-      if (share.voxel != nowhere && full[share.voxel] != 0)
-      {
-        share.volume *= voxelVolume / volumes[share.voxel];
-      }
+      share.volume *= share.voxel != nowhere ? factors[share.voxel] : 1.0;
     }
   }
+  return largest;
+}
+
+/** Both in turn, boxes last. \return what voxels are off by before their last turn */
+double
+balance(const std::vector<double> & boxVolumes,
+        const std::vector<char> &   full,
+        double                      voxelVolume,
+        std::vector<Shares> &       shares)
+{
+  balanceBoxes(boxVolumes, shares);
+  double off = balanced;
+  for (int round = 0; round < mostRounds && off >= balanced; ++round)
+  {
+    off = balanceVoxels(full, voxelVolume, shares);
+    balanceBoxes(boxVolumes, shares);
+  }
+  return off;
 }
 
 /** Which of the voxels that hold a part of the mesh hold nothing else. */
@@ -267,14 +291,11 @@ gridMasses(const CubeMap &         map,
   std::vector<Shares>       shares = sharesOf(mesh, masses.size[0], grid, options);
   const std::vector<double> sampled = volumesInVoxels(shares, grid.gridVoxels());
   const std::vector<char>   full = fullVoxels(map, grid, sampled, options.threads);
-  for (int round = 0; round < rounds; ++round)
-  {
-    balanceFullVoxels(full, grid.voxelVolume(), shares);
-    balanceBoxes(boxVolumes, shares);
-  }
+  const double              imbalance = balance(boxVolumes, full, grid.voxelVolume(), shares);
 
   const auto components = static_cast<std::size_t>(masses.components);
   GridMasses result;
+  result.imbalance = imbalance;
   result.image = FieldVolume{ grid, masses.components, std::vector<double>(grid.gridVoxels() * components, 0.0) };
   result.outside.assign(components, 0.0);
   for (std::size_t box = 0; box < shares.size(); ++box)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -17,6 +18,7 @@ namespace
 {
 
 constexpr std::size_t boxesPerBlock = 4;
+constexpr double      infinity = std::numeric_limits<double>::infinity();
 
 /** The integrals of every box by its last rule, and what that changed. */
 class RefinedBoxes
@@ -102,7 +104,8 @@ public:
       const Component & component = m_Judged[c];
       result.integrals.push_back(component.integral);
       result.errors.push_back(component.error);
-      result.relativeError = std::max(result.relativeError, component.relativeError());
+      const double error = component.relativeError();
+      result.relativeError = std::max(result.relativeError, std::isnan(error) ? infinity : error);
     }
     result.means = std::move(m_Means);
     return result;
@@ -118,7 +121,7 @@ private:
     [[nodiscard]] double
     relativeError() const
     {
-      return error > 0.0 ? error / magnitude : 0.0;
+      return error == 0.0 ? 0.0 : error / magnitude;
     }
   };
 

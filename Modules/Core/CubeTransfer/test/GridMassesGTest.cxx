@@ -119,6 +119,30 @@ TEST(GridMasses, AConstantDensityStaysConstantInFullVoxels)
   EXPECT_GT(full, 500u);
 }
 
+TEST(GridMasses, NoVoxelHoldsMoreThanTheDensityThatFillsIt)
+{
+  const HexMesh mesh = bentLattice(6);
+  const CubeMap map(mesh);
+  for (const double spacing : { 1.0, 2.0, 3.5 })
+  {
+    VoxelGrid grid = barGrid(45);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto at = static_cast<Eigen::Index>(axis);
+      grid.size[axis] = static_cast<int>(std::ceil(grid.size[axis] * grid.spacing[at] / spacing));
+    }
+    grid.spacing = Vector3::Constant(spacing);
+    const GridMasses result = gridMasses(map, mesh, massesOf(mesh, 5), grid);
+    double           most = 0.0;
+    for (std::size_t voxel = 0; voxel < grid.gridVoxels(); ++voxel)
+    {
+      most = std::max(most, result.image.at(voxel)[1]);
+    }
+    EXPECT_LE(most, 2.0 * 1.005) << spacing;
+    EXPECT_GT(most, 2.0 * 0.995) << spacing;
+  }
+}
+
 TEST(GridMasses, ObliqueAndLeftHandedGridsHoldTheSameMass)
 {
   const HexMesh     mesh = bentLattice(5);

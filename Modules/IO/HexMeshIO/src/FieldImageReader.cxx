@@ -70,7 +70,9 @@ readFieldImage(const std::string & fileName, const ReadOptions & options)
     isMasked = header.masked;
     result.kind = header.symmetricTensors ? FieldValues::SymmetricTensors : FieldValues::Numbers;
     result.valuesToLps = header.valuesToLps;
+    result.inCubeAxes = header.inCubeAxes;
     result.warnings = header.warnings;
+    result.gridWarnings = header.warnings;
     return result.volume.values.data();
   });
   if (isMasked)

@@ -37,7 +37,7 @@ labelsOf(const FieldVolume & image)
 void
 requireFitting(const std::string & fileName, const FieldVolume & image, FieldValues values)
 {
-  if (!isNiftiName(fileName) && !endsWith(fileName, ".nrrd"))
+  if (!isFieldImageName(fileName))
   {
     throw BadInput(
       ErrorCode::Usage, fileName, "images are written as NRRD or NIfTI-1", "give a .nrrd, .nii or .nii.gz name");
@@ -62,15 +62,21 @@ pixelOf(const FieldVolume & image, FieldValues values)
 
 } // namespace
 
+bool
+isFieldImageName(const std::string & fileName)
+{
+  return isNiftiName(fileName) || endsWith(fileName, ".nrrd");
+}
+
 void
-writeFieldImage(const std::string & fileName, const FieldVolume & image, FieldValues values)
+writeFieldImage(const std::string & fileName, const FieldVolume & image, FieldValues values, ValueAxes axes)
 {
   requireFitting(fileName, image, values);
   const bool                      isLabels = values == FieldValues::Labels;
   const std::vector<std::int32_t> labels = isLabels ? labelsOf(image) : std::vector<std::int32_t>();
   if (isNiftiName(fileName))
   {
-    writeNiftiFile(fileName, image, values, labels);
+    writeNiftiFile(fileName, image, values, axes, labels);
     return;
   }
   const auto isSame = [&image](const std::string & partName) {
@@ -83,6 +89,7 @@ writeFieldImage(const std::string & fileName, const FieldVolume & image, FieldVa
   voxels.component = isLabels ? itk::IOComponentEnum::INT : itk::IOComponentEnum::DOUBLE;
   voxels.pixel = pixelOf(image, values);
   voxels.components = static_cast<unsigned int>(image.components);
+  voxels.axes = image.components == 1 || axes == ValueAxes::Lps ? "" : axes == ValueAxes::Cube ? "cube" : "unknown";
   writeNrrdFile(fileName, isLabels ? "labelmap" : "image", image, voxels, isSame);
 }
 

@@ -125,12 +125,12 @@ fieldImageFrom(const ArrayHeader & header, int components, std::vector<double> v
   }
   const ImageDescription image = describe(header, ComponentType::Float64, static_cast<std::uint64_t>(components));
   requireFitting(image, values.size());
-  return { header.name,
-           FieldVolume{ image.grid, components, std::move(values) },
-           {},
-           FieldValues::Numbers,
-           Matrix3(Matrix3::Identity()),
-           image.warnings };
+  FieldImage result;
+  result.fileName = header.name;
+  result.volume = FieldVolume{ image.grid, components, std::move(values) };
+  result.warnings = image.warnings;
+  result.gridWarnings = image.warnings;
+  return result;
 }
 
 } // namespace moserhex

@@ -116,6 +116,7 @@ struct ImageDescription
   ValueLayout            layout;
   bool                   symmetricTensors{ false };          ///< the values are one of 3 x 3 each, as the file says
   std::optional<Matrix3> valuesToLps{ Matrix3::Identity() }; ///< of vectors; nothing: the file leaves their space open
+  bool                   valuesInCubeAxes{ false };          ///< see ValueAxes
   bool keepsNonFinite{ false }; ///< of NIfTI, whose numbers that are not finite ITK makes 0 of; see VoxelContent
   VoxelEncoding encoding{ VoxelEncoding::Raw };
   std::string   dataFile;           ///< holds the voxels

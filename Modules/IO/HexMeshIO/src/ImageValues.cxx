@@ -21,6 +21,7 @@ packedValues(const std::string & fileName, const std::string & itkName, bool san
     writer.put(image.layout.masked ? 1 : 0);
     writer.put(image.symmetricTensors ? 1 : 0);
     writer.put(image.valuesToLps);
+    writer.put(image.valuesInCubeAxes ? 1 : 0);
     writer.put(image.warnings);
     writer.put(begin);
     parcel = writer.take();

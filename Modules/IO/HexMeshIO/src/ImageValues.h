@@ -21,6 +21,7 @@ struct ImageValuesHeader
   bool                     masked{ false }; ///< the first is the mask
   bool                     symmetricTensors{ false };
   std::optional<Matrix3>   valuesToLps{ Matrix3::Identity() }; ///< nothing: the file leaves their space open
+  bool                     inCubeAxes{ false };
   std::vector<std::string> warnings;
 };
 
@@ -42,6 +43,7 @@ unpackValues(const std::string & bytes, const TBufferFor & bufferFor)
   header.masked = parcel.number<int>() != 0;
   header.symmetricTensors = parcel.number<int>() != 0;
   header.valuesToLps = parcel.matrix();
+  header.inCubeAxes = parcel.number<int>() != 0;
   header.warnings = parcel.texts();
   const std::size_t count = header.grid.gridVoxels() * static_cast<std::size_t>(header.components);
   withComponent(type, [&](auto value) {

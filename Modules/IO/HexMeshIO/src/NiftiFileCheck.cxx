@@ -95,6 +95,7 @@ setNiftiLayout(const NiftiHeader & header, ImageDescription & image)
   if (header.intentName() != niftiLpsName)
   {
     image.valuesToLps = std::nullopt;
+    image.valuesInCubeAxes = header.intentName() == niftiCubeName;
   }
 }
 

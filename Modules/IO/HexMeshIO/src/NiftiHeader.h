@@ -22,6 +22,7 @@ struct NiftiIntent
 
 /** The intent_name by which files of writeFieldImage say in which space vectors and tensors are. */
 constexpr const char * niftiLpsName = "LPS";
+constexpr const char * niftiCubeName = "CUBE";
 
 /** The 348 bytes of a NIfTI-1 header in either byte order, and the 4 after them. */
 class NiftiHeader

@@ -71,7 +71,7 @@ putSizes(const FieldVolume & image, HeaderBytes & header)
 }
 
 void
-putIntent(const FieldVolume & image, FieldValues values, HeaderBytes & header)
+putIntent(const FieldVolume & image, FieldValues values, ValueAxes axes, HeaderBytes & header)
 {
   constexpr double rowsOfTensor = 3.0;
   if (image.components == 1)
@@ -81,7 +81,10 @@ putIntent(const FieldVolume & image, FieldValues values, HeaderBytes & header)
   const bool isTensor = values == FieldValues::SymmetricTensors;
   header.put<std::int16_t>(68, isTensor ? NiftiIntent::symmetricMatrix : NiftiIntent::vector);
   header.putReal(56, isTensor ? rowsOfTensor : 0.0);
-  header.putText(328, niftiLpsName);
+  if (axes != ValueAxes::Unknown)
+  {
+    header.putText(328, axes == ValueAxes::Cube ? niftiCubeName : niftiLpsName);
+  }
 }
 
 /** qform and sform, RAS. */
@@ -122,13 +125,13 @@ putGeometry(const VoxelGrid & grid, HeaderBytes & header)
 }
 
 std::string
-headerOf(const FieldVolume & image, FieldValues values)
+headerOf(const FieldVolume & image, FieldValues values, ValueAxes axes)
 {
   const bool  isLabels = values == FieldValues::Labels;
   HeaderBytes header;
   header.put<std::int32_t>(0, static_cast<std::int32_t>(NiftiHeader::size));
   putSizes(image, header);
-  putIntent(image, values, header);
+  putIntent(image, values, axes, header);
   header.put<std::int16_t>(70, isLabels ? 8 : 64); // 32-bit integers, 64-bit real numbers
   header.put<std::int16_t>(72, isLabels ? 32 : 64);
   header.putReal(108, static_cast<double>(voxelBegin));
@@ -227,11 +230,12 @@ void
 writeNiftiFile(const std::string &               fileName,
                const FieldVolume &               image,
                FieldValues                       values,
+               ValueAxes                         axes,
                const std::vector<std::int32_t> & labels)
 {
   requireNiftiNumbers(fileName, image);
   const bool                isLabels = values == FieldValues::Labels;
-  const std::string         header = headerOf(image, values);
+  const std::string         header = headerOf(image, values, axes);
   const std::vector<double> numbers = isLabels ? std::vector<double>() : planes(image, values);
   const char * const        bytes =
     isLabels ? reinterpret_cast<const char *>(labels.data()) : reinterpret_cast<const char *>(numbers.data());

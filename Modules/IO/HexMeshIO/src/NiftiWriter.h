@@ -25,6 +25,7 @@ void
 writeNiftiFile(const std::string &               fileName,
                const FieldVolume &               image,
                FieldValues                       values,
+               ValueAxes                         axes,
                const std::vector<std::int32_t> & labels);
 
 } // namespace moserhex

@@ -1,5 +1,6 @@
 #include "ImageHeader.h"
 #include "NrrdAxes.h"
+#include "NrrdWriter.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
 #include <Eigen/LU>
@@ -247,6 +248,11 @@ checkNrrdHeader(const std::string & file, VoxelContent content)
   image.layout = axes.layout;
   image.symmetricTensors = axes.symmetricTensors;
   image.valuesToLps = nrrdValuesToLps(header, toLps, image);
+  if (const auto marked = header.keyValues.find(nrrdAxesKey); marked != header.keyValues.end())
+  {
+    image.valuesToLps = std::nullopt;
+    image.valuesInCubeAxes = marked->second == "cube";
+  }
   setVoxels(image,
             { axes.sizes[axes.spatial[0]], axes.sizes[axes.spatial[1]], axes.sizes[axes.spatial[2]] },
             nrrdComponentType(file, header.get("type")),

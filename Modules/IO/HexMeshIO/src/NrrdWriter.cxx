@@ -3,6 +3,7 @@
 #include "FileNames.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
+#include <itkMetaDataObject.h>
 #include <itkNrrdImageIO.h>
 
 namespace moserhex
@@ -31,6 +32,10 @@ writeNrrd(const std::string & fileName, const VoxelGrid & grid, const NrrdVoxels
   writer->SetPixelType(voxels.pixel);
   writer->SetComponentType(voxels.component);
   writer->SetIORegion(region);
+  if (!voxels.axes.empty())
+  {
+    itk::EncapsulateMetaData<std::string>(writer->GetMetaDataDictionary(), nrrdAxesKey, voxels.axes);
+  }
   writer->SetUseCompression(true);
   writer->SetFileName(fileName);
   writer->WriteImageInformation();

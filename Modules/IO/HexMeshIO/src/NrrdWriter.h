@@ -11,6 +11,9 @@
 namespace moserhex
 {
 
+/** The key of the axes that values are in: "cube" or "unknown". */
+constexpr const char * nrrdAxesKey = "MoserHexValueAxes";
+
 /** What the voxels of a file to write are. */
 struct NrrdVoxels
 {
@@ -18,6 +21,7 @@ struct NrrdVoxels
   itk::IOComponentEnum component{ itk::IOComponentEnum::UCHAR };
   itk::IOPixelEnum     pixel{ itk::IOPixelEnum::SCALAR };
   unsigned int         components{ 1 };
+  std::string          axes{}; ///< of the key nrrdAxesKey; empty: none
 };
 
 /** Writes a gzip-compressed NRRD in LPS, complete or not at all.

@@ -61,15 +61,11 @@ inputJson(const RunReport::Input & input)
 Json
 parametersJson(const RunReport::Parameters & parameters)
 {
-  Json json{ { "shells", parameters.shells },
-             { "padding", parameters.padding },
-             { "stage", parameters.stage },
-             { "shell_method", parameters.shellMethod },
-             { "way", parameters.way },
-             { "frame", parameters.frame },
-             { "density", parameters.density },
-             { "topology", parameters.topology },
-             { "max_repair_percent", parameters.maximumRepair } };
+  Json json{ { "shells", parameters.shells },     { "padding", parameters.padding },
+             { "stage", parameters.stage },       { "shell_method", parameters.shellMethod },
+             { "way", parameters.way },           { "frame", parameters.frame },
+             { "density", parameters.density },   { "local_growth", parameters.localGrowth },
+             { "topology", parameters.topology }, { "max_repair_percent", parameters.maximumRepair } };
   json["threshold"] = parameters.threshold ? Json(*parameters.threshold) : Json();
   json["segment"] = parameters.segment ? Json(*parameters.segment) : Json();
   return json;

@@ -71,6 +71,7 @@ TEST(FieldImage, ComesBackAsWritten)
     EXPECT_LE((read.volume.origin - image.origin).norm(), 1e-6);
     EXPECT_TRUE(read.volume.direction.isApprox(image.direction, 1e-6));
     EXPECT_TRUE(read.valuesToLps);
+    EXPECT_FALSE(read.inCubeAxes);
     EXPECT_TRUE(read.warnings.empty());
   }
 }
@@ -208,5 +209,22 @@ TEST(FieldImage, OnlyTensorsAreTensors)
     EXPECT_EQ(readFieldImage(folder / name).kind, FieldValues::SymmetricTensors) << name;
     writeFieldImage(folder / name, fieldOf(6));
     EXPECT_EQ(readFieldImage(folder / name).kind, FieldValues::Numbers) << name;
+  }
+}
+
+TEST(FieldImage, TheAxesOfVectorsComeBack)
+{
+  const TestFolder  folder;
+  const FieldVolume vectors{ VoxelGrid{ { { 2, 2, 2 } } }, 3, std::vector<double>(24, 1.0) };
+  for (const char * name : { "a.nrrd", "a.nii" })
+  {
+    writeFieldImage(folder / name, vectors, FieldValues::Numbers, ValueAxes::Cube);
+    EXPECT_TRUE(readFieldImage(folder / name).inCubeAxes) << name;
+    EXPECT_FALSE(readFieldImage(folder / name).valuesToLps) << name;
+    writeFieldImage(folder / name, vectors, FieldValues::Numbers, ValueAxes::Unknown);
+    EXPECT_FALSE(readFieldImage(folder / name).inCubeAxes) << name;
+    EXPECT_FALSE(readFieldImage(folder / name).valuesToLps) << name;
+    writeFieldImage(folder / name, vectors);
+    EXPECT_EQ(readFieldImage(folder / name).valuesToLps, Matrix3(Matrix3::Identity())) << name;
   }
 }

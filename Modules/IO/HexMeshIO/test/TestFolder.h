@@ -1,6 +1,6 @@
 #pragma once
 
-#include "moserhex/Common/Errors.h"
+#include "moserhex/Analytic/Refusals.h"
 
 #include <filesystem>
 #include <fstream>
@@ -66,36 +66,7 @@ writeBytes(const std::string & fileName, const std::string & bytes)
   std::ofstream(fileName, std::ios::binary) << bytes;
 }
 
-/** The message of the exception of type TError that `call` throws; "no exception" when it throws none. */
-template <typename TError, typename TCall>
-std::string
-messageOf(const TCall & call)
-{
-  try
-  {
-    call();
-  }
-  catch (const TError & error)
-  {
-    return error.what();
-  }
-  return "no exception";
-}
-
-/** The code of the Error that `call` throws. \throws std::runtime_error  it throws none */
-template <typename TCall>
-ErrorCode
-codeThrownBy(const TCall & call)
-{
-  try
-  {
-    call();
-  }
-  catch (const Error & error)
-  {
-    return error.code();
-  }
-  throw std::runtime_error("no exception");
-}
+using analytic::codeThrownBy;
+using analytic::messageOf;
 
 } // namespace moserhex

@@ -141,7 +141,7 @@ TEST_P(TransformFile, OfTwoRigidPartsInAText)
     Rigid::OutputVectorType shift;
     shift.Fill(0.0);
     shift[2] = height;
-    part->SetRotation(0.0, 0.0, std::acos(-1.0) / 4.0);
+    part->SetRotation(0.0, 0.0, pi / 4.0);
     part->SetTranslation(shift);
     both->AddTransform(part);
   }

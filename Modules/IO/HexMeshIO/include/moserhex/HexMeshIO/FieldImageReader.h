@@ -23,10 +23,13 @@ struct FieldImage
               ///< with a number that is not finite; these are as in the file; empty: all have
   FieldValues kind{ FieldValues::Numbers }; ///< SymmetricTensors where the file says so: its kind, or its intent
   /** Takes vectors to LPS from the space that the file has them in: the measurement frame of a NRRD, or LPS. Nothing
-   * where the file leaves that space open: a NRRD in RAS or LAS without a measurement frame, and a NIfTI with several
-   * numbers per voxel unless its intent_name is LPS, as that of writeFieldImage is. The values are as in the file. */
+   * where the file leaves that space open: a NRRD in RAS or LAS without a measurement frame, a NIfTI with several
+   * numbers per voxel unless its intent_name is LPS, and what writeFieldImage wrote so. The values are as in the file.
+   */
   std::optional<Matrix3>   valuesToLps{ Matrix3::Identity() };
-  std::vector<std::string> warnings; ///< one line each
+  bool                     inCubeAxes{ false }; ///< the values are in the cube's axes, and valuesToLps is nothing
+  std::vector<std::string> warnings;            ///< one line each
+  std::vector<std::string> gridWarnings; ///< those of them that are about the header and its grid, not the values
 };
 
 /** Reads a three-dimensional image with any number of values per voxel, at most 4096: the files of readScalarImage, and

@@ -11,4 +11,12 @@ enum class FieldValues
   Labels            ///< one 32-bit integer
 };
 
+/** The axes that vectors and tensors of an image are in. */
+enum class ValueAxes
+{
+  Lps,
+  Cube,   ///< those of the cube at each place
+  Unknown ///< not said
+};
+
 } // namespace moserhex

@@ -51,13 +51,14 @@ struct RunReport
   /** What was asked for. */
   struct Parameters
   {
-    int         shells{ 0 };  ///< N
-    int         padding{ 0 }; ///< layers of pillow cells
-    std::string stage;        ///< initial | smoothed | moser | exact
-    std::string shellMethod;  ///< auto | chan-vese | snapshots | eikonal
-    std::string way;          ///< fast | faithful; empty when the stage is not exact
-    std::string frame;        ///< anatomical | ridge
-    std::string density;      ///< file; empty: volumes
+    int         shells{ 0 };          ///< N
+    int         padding{ 0 };         ///< layers of pillow cells
+    std::string stage;                ///< initial | smoothed | moser | exact
+    std::string shellMethod;          ///< auto | chan-vese | snapshots | eikonal
+    std::string way;                  ///< fast | faithful; empty when the stage is not exact
+    std::string frame;                ///< anatomical | ridge
+    std::string density;              ///< file; empty: volumes
+    bool        localGrowth{ false }; ///< was asked for
 
     std::string                topology;             ///< repair | reject
     double                     maximumRepair{ 0.0 }; ///< [%]

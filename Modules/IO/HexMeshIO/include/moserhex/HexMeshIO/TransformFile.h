@@ -26,7 +26,7 @@ isTransformName(const std::string & fileName);
 transformedByFile(const std::string & fileName, const Positions & points, const ReadOptions & options = {});
 
 /** The transform of a file that moves, turns and scales all axes alike, and does no more: judged by the corners of a
- * cube of side 200 mm around the origin, to 1e-4 mm. \throws BadInput (Unsupported)  another kind, a mirroring one
+ * cube of side 200 mm around the origin, to 0.01 mm. \throws BadInput (Unsupported)  another kind, a mirroring one
  * included; BadInput, IOError  as transformedByFile */
 [[nodiscard]] SimilarityTransform
 similarityOfFile(const std::string & fileName, const ReadOptions & options = {});
