@@ -61,6 +61,10 @@ optionsOf(const ModuleArguments & arguments, const app::TransferLog & log)
   {
     throw app::UsageError("the mesh of the other subject belongs to the direction to-subject, which needs it");
   }
+  if (direction != "to-cube" && !arguments.has("reference"))
+  {
+    throw app::UsageError("a reference image is needed: its voxels are those of the transferred image");
+  }
   options.toMesh = arguments.text("otherMesh");
   options.like = arguments.text("reference");
   options.labels = arguments.flag("labels");

@@ -344,14 +344,6 @@ readMarkups(const std::string & fileName)
   }
 }
 
-/** The shortest text that comes back as the same number. */
-std::string
-numberText(double value)
-{
-  std::array<char, 32> digits{};
-  return { digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr };
-}
-
 void
 append(std::vector<std::string> & cells, const std::optional<Vector3> & vector)
 {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -338,6 +339,14 @@ withoutBlanksAround(const std::string & text)
   const std::size_t begin = text.find_first_not_of(blanks);
   const std::size_t end = text.find_last_not_of(blanks);
   return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
+}
+
+bool
+isTableName(const std::string & fileName)
+{
+  std::string ending = std::filesystem::path(fileName).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".csv" || ending == ".tsv";
 }
 
 std::string

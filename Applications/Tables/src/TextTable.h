@@ -37,6 +37,10 @@ readTextTable(const std::string & fileName);
 [[nodiscard]] TextTable
 readTextLines(const std::string & fileName, const std::string & column);
 
+/** Whether a name ends with .csv or .tsv, in any case. */
+[[nodiscard]] bool
+isTableName(const std::string & fileName);
+
 /** The cells of one line of a table, apart from its end.
  * \param number  of the line, in messages \throws BadInput  as readTextTable */
 [[nodiscard]] std::vector<std::string>

@@ -31,6 +31,44 @@ amountOf(const LabelAmounts & amounts, LabelValue label)
 
 } // namespace
 
+void
+keepLabelsAround(const HexMesh & mesh, TransferImage & image)
+{
+  if (image.labels.empty())
+  {
+    return;
+  }
+  const FieldVolume & volume = image.volume;
+  Vector3             lower = volume.continuousIndex(mesh.nodes.front());
+  Vector3             upper = lower;
+  for (const Vector3 & node : mesh.nodes)
+  {
+    lower = lower.cwiseMin(volume.continuousIndex(node));
+    upper = upper.cwiseMax(volume.continuousIndex(node));
+  }
+  int begin[3];
+  int end[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double size = volume.size[static_cast<std::size_t>(axis)];
+    begin[axis] = static_cast<int>(std::clamp(std::floor(lower[axis]), 0.0, size));
+    end[axis] = static_cast<int>(std::clamp(std::ceil(upper[axis]) + 1.0, 0.0, size));
+  }
+  std::set<double> found;
+  for (int k = begin[2]; k < end[2]; ++k)
+  {
+    for (int j = begin[1]; j < end[1]; ++j)
+    {
+      for (int i = begin[0]; i < end[0]; ++i)
+      {
+        found.insert(*volume.at(volume.voxelNumber(i, j, k)));
+      }
+    }
+  }
+  const auto isElsewhere = [&found](const LabelEntry & entry) { return found.count(entry.value) == 0; };
+  image.labels.erase(std::remove_if(image.labels.begin(), image.labels.end(), isElsewhere), image.labels.end());
+}
+
 bool
 hasShares(const TransferImage & image)
 {
@@ -47,8 +85,9 @@ labelsOfPlaces(const TransferImage & image, double background)
   }
   if (labels.size() > mostShares)
   {
-    throw UsageError("--labels: " + std::to_string(labels.size()) + " labels with 0 and the background, at most " +
-                     std::to_string(mostShares) + " by cells; take --sampling nodes");
+    throw UsageError("--labels: " + std::to_string(labels.size()) +
+                     " labels around the organ with 0 and the background, at most " + std::to_string(mostShares) +
+                     " by cells; take --sampling nodes without --fractions");
   }
   return { labels.begin(), labels.end() };
 }

@@ -11,6 +11,10 @@
 namespace moserhex::app
 {
 
+/** Leaves out labels that have no voxel around the mesh: nothing of them can be in the organ. */
+void
+keepLabelsAround(const HexMesh & mesh, TransferImage & image);
+
 /** Whether there are few enough labels for shares. */
 [[nodiscard]] bool
 hasShares(const TransferImage & image);

@@ -2,10 +2,13 @@
 
 #include "CommandErrors.h"
 #include "PointFile.h"
+#include "TextTable.h"
 #include "TransferFiles.h"
 #include "moserhex/CubeTransfer/CubeMap.h"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 namespace moserhex::app
 {
@@ -15,10 +18,7 @@ namespace
 void
 requireNamesOfTables(const TransferOptions & options)
 {
-  const bool isTable = options.toCube.empty() ||
-                       options.toCube.find(".csv", options.toCube.size() - 4) != std::string::npos ||
-                       options.toCube.find(".tsv", options.toCube.size() - 4) != std::string::npos;
-  if (!isTable)
+  if (!options.toCube.empty() && !isTableName(options.toCube))
   {
     throw UsageError(
       fileMessage(options.toCube, "cube coordinates are written as a table", "give a .csv or .tsv name"));
@@ -112,6 +112,15 @@ requireCubeCoordinates(const TransferOptions & options, const PointList & list)
   }
 }
 
+/** Whether the output has points without a place: .fcsv has not. */
+bool
+keepsLost(const TransferOptions & options)
+{
+  std::string ending = std::filesystem::path(options.toPoints).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending != ".fcsv";
+}
+
 /** \throws BadInput (Geometry)  no point has a place; tells the losses otherwise */
 void
 requirePlaces(const TransferOptions & options, const Losses & losses, const PointList & list, const TransferLog & log)
@@ -125,8 +134,24 @@ requirePlaces(const TransferOptions & options, const Losses & losses, const Poin
   }
   for (const std::string & loss : losses)
   {
-    log.warn(loss + ", left empty");
+    log.warn(loss + (keepsLost(options) ? ", left empty" : ", left out"));
   }
+}
+
+/** What the output cannot hold. */
+void
+tellOfColumns(const TransferOptions & options, const PointList & list, const TransferLog & log)
+{
+  if (list.otherColumns.empty() || isTableName(options.toCube) || isTableName(options.toPoints))
+  {
+    return;
+  }
+  std::string names;
+  for (const std::string & column : list.otherColumns)
+  {
+    names += (names.empty() ? "" : ", ") + oneLine(column, 30);
+  }
+  log.warn(fileMessage(options.toPoints, "cannot hold the columns " + names, "write .csv or .tsv to keep them"));
 }
 
 } // namespace
@@ -150,6 +175,7 @@ transferPoints(const TransferOptions & options, const TransferLog & log)
     const HexMesh other = readTransferMesh(options.toMesh, options);
     (void)findInMesh(CubeMap(other), list); // those without a place are told
   }
+  tellOfColumns(options, list, log);
   const std::string & output = isToCube ? options.toCube : options.toPoints;
   writePoints(output, list);
   log.say(output + ": " + std::to_string(countOf(list, isToCube)) + " of " + std::to_string(list.points.size()) +

@@ -62,20 +62,21 @@ SubjectFunction::SubjectFunction(const FieldVolume &                image,
   , m_Options(options)
 {}
 
-void
-SubjectFunction::operator()(const CubePoint & point, double * values) const
+bool
+SubjectFunction::evaluate(const CubePoint & point, double * values) const
 {
   ++m_Asked;
   if (!m_Field.evaluate(point.position, values))
   {
     ++m_Beyond;
     std::fill_n(values, m_Components, m_Options.background);
-    return;
+    return false;
   }
   if (m_Options.rotate)
   {
     turn(rotationPart(point.jacobian).transpose(), m_Components, values);
   }
+  return true;
 }
 
 double

@@ -43,8 +43,15 @@ public:
     return m_Components;
   }
 
+  /** \return false: no data there, the values are background */
+  bool
+  evaluate(const CubePoint & point, double * values) const;
+
   void
-  operator()(const CubePoint & point, double * values) const;
+  operator()(const CubePoint & point, double * values) const
+  {
+    (void)evaluate(point, values);
+  }
 
   /** Of the points asked for, those beyond the image: part in [0,1], 0 before any. */
   [[nodiscard]] double

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 namespace moserhex::app
@@ -14,7 +15,7 @@ namespace
 {
 
 constexpr int    mostVoxelsPerAxis = 4096;
-constexpr double mostVoxels = 5e8; ///< what image files may hold
+constexpr double mostVoxels = 5e8; ///< numbers that image files may hold
 
 void
 tell(const TransferLog & log, const std::vector<std::string> & warnings)
@@ -58,11 +59,11 @@ matrixToLps(const std::string & space)
   return space == "RAS" ? Matrix3(Vector3(-1.0, -1.0, 1.0).asDiagonal()) : Matrix3(Matrix3::Identity());
 }
 
-/** Of vectors or tensors that are to be turned. */
+/** \throws BadInput  numbers that are to be turned cannot be */
 void
-putIntoLps(const TransferOptions & options, FieldImage & image)
+requireTurnable(const TransferOptions & options, const FieldImage & image)
 {
-  FieldVolume & volume = image.volume;
+  const FieldVolume & volume = image.volume;
   if (!canBeTurned(volume.components))
   {
     throw BadInput(ErrorCode::PixelType,
@@ -71,21 +72,62 @@ putIntoLps(const TransferOptions & options, FieldImage & image)
                                                        "tensors (6)",
                    "leave --rotate out");
   }
-  const std::optional<Matrix3> toLps = options.valuesIn.empty() ? image.valuesToLps : matrixToLps(options.valuesIn);
-  if (!toLps)
+  const bool isFromCube = options.toCube.empty() && options.toMesh.empty();
+  if (!isFromCube && !image.valuesToLps && !image.inCubeAxes && options.valuesIn.empty())
   {
     throw BadInput(ErrorCode::Geometry,
                    options.input,
                    "the vectors or tensors are not known to be in LPS",
                    "say --values-in LPS or RAS, or leave --rotate out");
   }
+}
+
+/** Puts what is to be turned into LPS where its axes are known. \return the axes then */
+ValueAxes
+putIntoLps(const TransferOptions & options, FieldImage & image)
+{
+  if (image.inCubeAxes)
+  {
+    return ValueAxes::Cube;
+  }
+  const std::optional<Matrix3> toLps = options.valuesIn.empty() ? image.valuesToLps : matrixToLps(options.valuesIn);
+  FieldVolume &                volume = image.volume;
+  if (!toLps)
+  {
+    return ValueAxes::Unknown;
+  }
   if (*toLps == Matrix3::Identity())
   {
-    return;
+    return ValueAxes::Lps;
+  }
+  if (!options.rotate) // every number by itself: a list, a colour
+  {
+    return ValueAxes::Unknown;
   }
   for (std::size_t voxel = 0; voxel < volume.gridVoxels(); ++voxel)
   {
     turn(*toLps, volume.components, volume.at(voxel));
+  }
+  return ValueAxes::Lps;
+}
+
+/** Vectors leave the cube as they have come: turned, or not. */
+void
+requireCubeAxes(const TransferOptions & options, const TransferLog & log, ValueAxes axes)
+{
+  const bool isFromCube = options.toCube.empty() && options.toMesh.empty();
+  if (axes == ValueAxes::Cube && !(isFromCube && options.rotate))
+  {
+    throw BadInput(ErrorCode::Geometry,
+                   options.input,
+                   "its vectors or tensors are in the cube's axes",
+                   "turn them back by --rotate, from the cube to a subject");
+  }
+  if (isFromCube && options.rotate && axes != ValueAxes::Cube)
+  {
+    log.warn(fileMessage(options.input,
+                         "does not say that its vectors or tensors are in the cube's axes",
+                         "if it was made without --rotate, leave --rotate out"));
   }
 }
 
@@ -157,29 +199,43 @@ readTransferImage(const TransferOptions & options, const TransferLog & log)
   tell(log, image.warnings);
   if (options.rotate)
   {
-    putIntoLps(options, image);
+    requireTurnable(options, image);
   }
-  return { std::move(image.volume), std::move(image.hasValue), {}, image.kind };
+  const ValueAxes axes = image.volume.components == 1 ? ValueAxes::Lps : putIntoLps(options, image);
+  requireCubeAxes(options, log, axes);
+  return { std::move(image.volume), std::move(image.hasValue), {}, image.kind, axes };
 }
 
 VoxelGrid
-readTargetGrid(const TransferOptions & options, const HexMesh & mesh)
+readTargetGrid(const TransferOptions & options, const HexMesh & mesh, int components, const TransferLog & log)
 {
-  if (options.like.empty() == options.spacing.empty())
-  {
-    throw UsageError("--to-image needs --like IMAGE or --spacing MM, one of them");
-  }
+  VoxelGrid grid;
   if (!options.like.empty())
   {
-    return readFieldImage(options.like, { options.sandbox }).volume;
+    const FieldImage image = readFieldImage(options.like, { options.sandbox });
+    tell(log, image.gridWarnings);
+    grid = image.volume;
   }
-  const std::vector<double> & spacing = options.spacing;
-  if (spacing.size() == 2)
+  else
   {
-    throw UsageError("--spacing takes one or three numbers");
+    const std::vector<double> & spacing = options.spacing;
+    const double                last = spacing.back();
+    grid = gridAround(mesh, spacing.size() == 1 ? Vector3(last, last, last) : Vector3(spacing[0], spacing[1], last));
   }
-  const double last = spacing.back();
-  return gridAround(mesh, spacing.size() == 1 ? Vector3(last, last, last) : Vector3(spacing[0], spacing[1], last));
+  requireWritableSize(static_cast<double>(grid.gridVoxels()) * components,
+                      options.like.empty() ? "--spacing" : "--like");
+  return grid;
+}
+
+void
+requireWritableSize(double numbers, const std::string & option)
+{
+  if (numbers > mostVoxels)
+  {
+    char text[80];
+    std::snprintf(text, sizeof text, ": %.3g numbers, more than an image file may hold (%.0e)", numbers, mostVoxels);
+    throw UsageError(option + text);
+  }
 }
 
 FieldValues

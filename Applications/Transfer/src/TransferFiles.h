@@ -22,6 +22,7 @@ struct TransferImage
   std::vector<unsigned char> hasValue;                     ///< as in FieldImage
   std::vector<LabelEntry>    labels;                       ///< of a labelmap, ascending, 0 apart
   FieldValues                kind{ FieldValues::Numbers }; ///< of what the file holds, or the options say
+  ValueAxes                  axes{ ValueAxes::Lps };       ///< of vectors and tensors
 };
 
 /** Reads a lattice that may be transferred by: no padding, all cells of positive volume.
@@ -29,16 +30,22 @@ struct TransferImage
 [[nodiscard]] HexMesh
 readTransferMesh(const std::string & fileName, const TransferOptions & options);
 
-/** Reads the input, as labels or numbers, and tells its warnings. What is to be turned is put into LPS.
- * \throws BadInput (Geometry)  it is to be turned and nothing says in which space its values are, (PixelType) or they
- * are neither vectors nor tensors; IOError */
+/** Reads the input, as labels or numbers, and tells its warnings. Vectors and tensors that are to be turned are put
+ * into LPS.
+ * \throws BadInput (Geometry)  it is to be turned and nothing says in which space its values are, or they are in the
+ * cube's axes and not to be turned back; (PixelType) they are neither vectors nor tensors; IOError */
 [[nodiscard]] TransferImage
 readTransferImage(const TransferOptions & options, const TransferLog & log);
 
-/** The grid of the reference image, or a new one along LPS around the mesh.
- * \throws UsageError  neither or both are given; BadInput, IOError */
+/** The grid of the reference image, whose warnings are told, or a new one along LPS around the mesh.
+ * \param components  numbers in each of its voxels
+ * \throws UsageError  more numbers than an image file may hold; BadInput, IOError */
 [[nodiscard]] VoxelGrid
-readTargetGrid(const TransferOptions & options, const HexMesh & mesh);
+readTargetGrid(const TransferOptions & options, const HexMesh & mesh, int components, const TransferLog & log);
+
+/** \throws UsageError  so many numbers are more than an image file may hold \param option  that asks for them */
+void
+requireWritableSize(double numbers, const std::string & option);
 
 /** How the output's numbers are kept: as the input's, and six that were turned as tensors. */
 [[nodiscard]] FieldValues

@@ -3,6 +3,7 @@
 #include "CommandErrors.h"
 #include "PointFile.h"
 #include "TransferFiles.h"
+#include "moserhex/HexMeshIO/FieldImageWriter.h"
 
 #include <cmath>
 #include <vector>
@@ -81,6 +82,30 @@ requireBackgroundLabel(const TransferOptions & options)
   }
 }
 
+/** \throws UsageError  of an image, before any work is done */
+void
+requireImageOutput(const TransferOptions & options)
+{
+  const std::string & output = options.toCube.empty() ? options.toImage : options.toCube;
+  if (!isFieldImageName(output))
+  {
+    throw UsageError(
+      fileMessage(output, "images are written as NRRD or NIfTI-1", "give a .nrrd, .nii or .nii.gz name"));
+  }
+  if (options.toImage.empty())
+  {
+    return;
+  }
+  if (options.like.empty() == options.spacing.empty())
+  {
+    throw UsageError("--to-image needs --like IMAGE or --spacing MM, one of them");
+  }
+  if (options.spacing.size() == 2)
+  {
+    throw UsageError("--spacing takes one or three numbers");
+  }
+}
+
 void
 requireFittingOutput(const TransferOptions & options)
 {
@@ -114,6 +139,10 @@ requirePartOfEveryOption(const TransferOptions & options)
     }
   }
   requireBackgroundLabel(options);
+  if (!isOfPoints(options))
+  {
+    requireImageOutput(options);
+  }
 }
 
 } // namespace moserhex::app
