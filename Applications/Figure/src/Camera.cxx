@@ -10,7 +10,7 @@ namespace moserhex::app
 Camera
 cameraFrom(double azimuth, double elevation)
 {
-  const double toRadians = std::acos(-1.0) / 180.0;
+  const double toRadians = pi / 180.0;
   const double a = azimuth * toRadians;
   const double e = elevation * toRadians;
   Camera       camera;

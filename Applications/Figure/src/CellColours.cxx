@@ -24,6 +24,7 @@ constexpr double largestVolumeRange = 1.0; ///< likewise at most: no volume is b
 
 /** Numbers that differ by less than this part of them are the same but for rounding. */
 constexpr double roundingOfEqualNumbers = 1e-9;
+constexpr double roundingOfZero = 1e-12; ///< likewise those that differ by less than this
 
 constexpr std::size_t longestTitle = 80;
 
@@ -140,11 +141,16 @@ byArray(const DrawnMesh & mesh, const std::string & name)
     }
   }
   const double size = std::max(std::abs(colours.low), std::abs(colours.high));
-  if (colours.high - colours.low <= roundingOfEqualNumbers * size)
+  if (colours.high - colours.low <= std::max(roundingOfEqualNumbers * size, roundingOfZero))
   {
-    const double room = size > 0.0 ? 0.05 * size : 1.0;
+    const double room = size > roundingOfZero ? 0.05 * size : 1.0;
     colours.low -= room;
     colours.high += room;
+  }
+  else if (colours.low < 0.0 && colours.high > 0.0)
+  {
+    colours.low = -size;
+    colours.high = size;
   }
   return colours;
 }
@@ -252,6 +258,10 @@ colourCells(const DrawnMesh & mesh, const FigureOptions & options)
   {
     colours.low = options.range[0];
     colours.high = options.range[1];
+  }
+  if (colours.classes.empty() && colours.low == -colours.high)
+  {
+    colours.scale = divergingScale(); // its middle is 0: what is above and what is below are told apart
   }
   return colours;
 }

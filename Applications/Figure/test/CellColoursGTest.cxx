@@ -163,6 +163,23 @@ TEST(CellColours, ArrayOfTheFileFillsTheScaleAndWhatIsNoNumberIsGrey)
   EXPECT_EQ(colourCells(mesh, limited).low, 0.0);
 }
 
+TEST(CellColours, AnArrayWithBothSignsHasItsMiddleAtZero)
+{
+  DrawnMesh mesh = drawn(slabs());
+  mesh.arrays.ofCells = { { "Motion", 1, { 1.5, -0.5, 1.0, 1.0, 1.0, 1.0, 0.0, 1.0 } },
+                          { "Noise", 1, { 9e-15, -2e-15, 0.0, 1e-15, 0.0, 0.0, 0.0, 0.0 } } };
+  const CellColours motion = colourCells(mesh, by("Motion"));
+  EXPECT_EQ(motion.low, -1.5);
+  EXPECT_EQ(motion.high, 1.5);
+  EXPECT_TRUE(same(motion.of(6), divergingScale().at(0.5)));
+  FigureOptions limited = by("Motion");
+  limited.range = { -1.0, 3.0 };
+  EXPECT_TRUE(same(colourCells(mesh, limited).of(6), sequentialScale().at(0.25)));
+  const CellColours noise = colourCells(mesh, by("Noise"));
+  EXPECT_GT(noise.high, 0.9); // rounding does not fill the scale
+  EXPECT_LT(noise.low, -0.9);
+}
+
 TEST(CellColours, ContradictionsAreRefused)
 {
   const DrawnMesh mesh = drawn(slabs());

@@ -128,7 +128,7 @@ TEST(DepthOrder, FacetsThatCoverEachOtherInACircleAreAllDrawn)
   std::vector<SeenFacet> bars;
   for (int bar = 0; bar < 3; ++bar)
   {
-    const double a = bar * 2.0 * std::acos(-1.0) / 3.0;
+    const double a = bar * 2.0 * pi / 3.0;
     const auto   turned = [a](double x, double y) {
       return Point2(std::cos(a) * x - std::sin(a) * y, std::sin(a) * x + std::cos(a) * y);
     };

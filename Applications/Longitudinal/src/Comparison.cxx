@@ -3,7 +3,12 @@
 #include "CommandErrors.h"
 #include "moserhex/Common/Errors.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <numeric>
+#include <sstream>
 #include <utility>
 
 namespace moserhex::app
@@ -33,6 +38,14 @@ comparisonAt(const TimeSeries & series, std::size_t time, const std::string & al
   }
 }
 
+std::string
+millimetres(double length)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << length << " mm";
+  return text.str();
+}
+
 /** A patient does not lie so differently at two visits, but a lattice that was turned does. */
 void
 addWarningOfTurn(const TimePoint &          point,
@@ -54,6 +67,61 @@ addWarningOfTurn(const TimePoint &          point,
   }
 }
 
+double
+medianDistance(const SurfaceMotion & surface)
+{
+  std::vector<double> distances;
+  for (const double distance : surface.signedDistance)
+  {
+    distances.push_back(std::abs(distance));
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/** Where nothing was sought, a wrong transform, or none, is no growth. */
+void
+addWarningOfPlace(const TimePoint &          point,
+                  const TimeComparison &     found,
+                  const HexMesh &            baseline,
+                  const std::string &        align,
+                  unsigned int               threads,
+                  std::vector<std::string> & warnings)
+{
+  constexpr double nearby = 0.05;    // of the radius: a distance below which no direction is worth a word [1]
+  constexpr double farAway = 0.25;   // of the radius: a distance that is doubtful [1]
+  constexpr double muchNearer = 0.5; // the inverse of a transform counts as the right one below this part [1]
+  if (!point.alignment && align != "none")
+  {
+    return;
+  }
+  const std::vector<double> volumes = cellVolumes(baseline);
+  const double              radius = std::cbrt(0.75 * std::accumulate(volumes.begin(), volumes.end(), 0.0) / pi);
+  const double              distance = medianDistance(found.surface);
+  if (point.alignment && distance > nearby * radius)
+  {
+    const HexMesh theOtherWay = transformed(point.lattice, point.alignment->inverse());
+    const double  ofInverse = medianDistance(surfaceMotion(baseline, theOtherWay, threads));
+    if (ofInverse < muchNearer * distance)
+    {
+      warnings.push_back(fileMessage(point.transform.name,
+                                     "its inverse brings the surfaces to " + millimetres(ofInverse) + " instead of " +
+                                       millimetres(distance) + " of each other (median)",
+                                     "give the transform from the baseline's space to the follow-up's"));
+      return;
+    }
+  }
+  if (distance > farAway * radius)
+  {
+    warnings.push_back(fileMessage(point.file.name,
+                                   "its surface lies " + millimetres(distance) +
+                                     " from the baseline's (median), whose radius is " + millimetres(radius),
+                                   point.alignment ? "is it the transform of these visits?"
+                                                   : "are the visits registered? else align them"));
+  }
+}
+
 } // namespace
 
 Comparison
@@ -71,6 +139,8 @@ compareSeries(TimeSeries series, const std::string & align, std::vector<RegionSe
     if (time > 0)
     {
       addWarningOfTurn(result.series.points[time], result.times.back(), baseline, align, result.series.warnings);
+      addWarningOfPlace(
+        result.series.points[time], result.times.back(), baseline, align, threads, result.series.warnings);
     }
     result.rows.push_back(regionRows(baseline, result.times.back(), result.sets));
   }

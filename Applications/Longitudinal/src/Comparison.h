@@ -19,7 +19,8 @@ struct Comparison
 };
 
 /** Aligns and measures every point of the series, and adds to its warnings what that makes doubtful: regions (see
- * regionWarnings), and a lattice that lies turned against the baseline's by more than patients do.
+ * regionWarnings), a lattice that lies turned against the baseline's by more than patients do, and an organ that lies
+ * elsewhere after a transform, or without an alignment; of a transform also if its inverse fits much better.
  * \throws BadInput (Precondition)  a mesh cannot be compared, see the functions of the module Deformation: a cell
  * without volume; names its file */
 [[nodiscard]] Comparison

@@ -5,6 +5,7 @@
 #include "moserhex/HexMeshIO/AtomicFile.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <limits>
@@ -166,6 +167,20 @@ collectionText(const TimeSeries & series)
   return text + "  </Collection>\n</VTKFile>\n";
 }
 
+/** Of the mesh as it is written, aligned: a turn of the lattice is that of the mesh as it was read only. */
+std::vector<NamedArray>
+recordOfAligned(const TimePoint & point, const TimeComparison & found)
+{
+  constexpr double        sameTurn = 0.5; // [degree]
+  std::vector<NamedArray> record = point.record;
+  if (found.alignment.angle() > sameTurn)
+  {
+    const auto isTurn = [](const NamedArray & array) { return array.name == "LatticeTurn"; };
+    record.erase(std::remove_if(record.begin(), record.end(), isTurn), record.end());
+  }
+  return record;
+}
+
 } // namespace
 
 std::vector<NamedArray>
@@ -215,6 +230,7 @@ writeTimeMesh(const std::string & fileName, const Comparison & comparison, std::
   HexMeshFields          fields;
   fields.pointArrays = pointArrays(at);
   fields.cellArrays = cellArrays(at.cells);
+  fields.meshArrays = recordOfAligned(comparison.series.points[time], at);
   for (NamedArray & array : regionArrays(comparison.sets, at.mesh.nodesPerSide))
   {
     fields.cellArrays.push_back(std::move(array));

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <filesystem>
 #include <set>
 
 namespace moserhex::app
@@ -142,13 +141,6 @@ addWarningsOfThinBoxes(const RegionSet & boxes, int nodesPerSide, std::vector<st
                                      "the table counts its parts of cells, the array Boxes does not show it"));
     }
   }
-}
-
-bool
-isTableName(const std::string & choice)
-{
-  const std::string ending = std::filesystem::path(choice).extension().string();
-  return ending == ".csv" || ending == ".tsv";
 }
 
 RegionSet

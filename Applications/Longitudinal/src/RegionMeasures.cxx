@@ -111,11 +111,11 @@ measuresOf(const TimeComparison & comparison)
 {
   const auto strain = [&comparison](std::size_t cell) -> const CellStrain & { return comparison.cells.strain[cell]; };
   const auto ofCells = [&comparison](const char * name, const char * unit, const OfCell & value) {
-    return Measure{ name, unit, false, forEachCell(comparison, value) };
+    return Measure{ name, unit, MeasuredOver::Volume, forEachCell(comparison, value) };
   };
-  const auto ofNodes = [&comparison](const char * name, const std::vector<double> & values) {
+  const auto ofNodes = [&comparison](const char * name, MeasuredOver over, const std::vector<double> & values) {
     const std::vector<double> all = spread(comparison.surface, values, comparison.mesh.nodes.size());
-    return Measure{ name, "mm", true, meansAroundQuads(comparison.mesh, [&all](std::size_t node, Eigen::Index) {
+    return Measure{ name, "mm", over, meansAroundQuads(comparison.mesh, [&all](std::size_t node, Eigen::Index) {
                       return all[node];
                     }) };
   };
@@ -130,11 +130,11 @@ measuresOf(const TimeComparison & comparison)
     ofCells("strain_3", "1", [&](std::size_t cell) { return strain(cell).principal[2]; }),
     ofCells("deviatoric_strain", "1", [&](std::size_t cell) { return strain(cell).deviatoric; }),
     ofCells("largest_stretch", "1", [&](std::size_t cell) { return strain(cell).largestStretch; }),
-    ofNodes("normal_motion", comparison.surface.normalMotion),
-    ofNodes("signed_distance", comparison.surface.signedDistance),
-    ofNodes("baseline_signed_distance", comparison.surface.baselineSignedDistance),
-    { "thickness_change", "mm", true, meansAroundQuads(comparison.mesh, thickness) },
-    { "area_ratio", "1", true, comparison.surface.areaRatio },
+    ofNodes("normal_motion", MeasuredOver::BaselineSurface, comparison.surface.normalMotion),
+    ofNodes("signed_distance", MeasuredOver::FollowUpSurface, comparison.surface.signedDistance),
+    ofNodes("baseline_signed_distance", MeasuredOver::BaselineSurface, comparison.surface.baselineSignedDistance),
+    { "thickness_change", "mm", MeasuredOver::BaselineSurface, meansAroundQuads(comparison.mesh, thickness) },
+    { "area_ratio", "1", MeasuredOver::BaselineSurface, comparison.surface.areaRatio },
   };
 }
 
@@ -151,13 +151,16 @@ regionRows(const HexMesh & baseline, const TimeComparison & comparison, const st
   {
     for (const CubeRegion & region : set.regions)
     {
-      const auto   volumes = products(cellFractions(region, baseline.nodesPerSide), before);
-      const auto   areas = products(quadFractions(region, baseline.nodesPerSide), comparison.surface.area);
+      const auto volumes = products(cellFractions(region, baseline.nodesPerSide), before);
+      const auto areas = products(quadFractions(region, baseline.nodesPerSide), comparison.surface.area);
+      const auto areasAfter = products(areas, comparison.surface.areaRatio);
+      const auto weights = [&](MeasuredOver over) -> const std::vector<double> & {
+        return over == MeasuredOver::Volume ? volumes : over == MeasuredOver::BaselineSurface ? areas : areasAfter;
+      };
       const double volume = weightedSum(volumes, comparison.cells.volumeRatio) / sizeTakenAway;
       for (const Measure & measure : measures)
       {
-        if (const auto values =
-              weightedDistribution(measure.values, weightsOf(measure, measure.isOfSurface ? areas : volumes)))
+        if (const auto values = weightedDistribution(measure.values, weightsOf(measure, weights(measure.over))))
         {
           rows.push_back({ set.name, region.name, measure.name, measure.unit, *values, volume });
         }

@@ -10,12 +10,20 @@
 namespace moserhex::app
 {
 
+/** What the values of a measure lie on, which is what they are weighted by. */
+enum class MeasuredOver
+{
+  Volume,          ///< of the baseline's cells
+  BaselineSurface, ///< its boundary quadrilaterals
+  FollowUpSurface  ///< aligned; of what is measured at the follow-up's own nodes
+};
+
 /** A number for every cell or for every boundary quadrilateral. */
 struct Measure
 {
   std::string         name;
   std::string         unit; ///< mm; 1
-  bool                isOfSurface{ false };
+  MeasuredOver        over{ MeasuredOver::Volume };
   std::vector<double> values; ///< (n-1)^3, or 6 (n-1)^2 of the surface; NaN: no value
 };
 
@@ -33,7 +41,7 @@ struct RegionRow
   std::string          region;
   std::string          measure;
   std::string          unit;
-  WeightedDistribution values;        ///< weights: volume or area of the baseline [mm^3 or mm^2]
+  WeightedDistribution values;        ///< weights: Measure::over [mm^3 or mm^2]
   double               volume{ 0.0 }; ///< of the region at that time, lattice as it was read [mm^3]
 };
 

@@ -39,17 +39,13 @@ warningsOf(const TimeSeries & series, const std::string & align)
   return compareSeries(series, align, {}, 1).series.warnings;
 }
 
-/** About the first axis. */
+/** About an axis along the first one through the middle. */
 HexMesh
 turned(const HexMesh & mesh, double degrees)
 {
-  const Matrix3 turn = analytic::rotation(Vector3::UnitX(), degrees * std::acos(-1.0) / 180.0);
-  HexMesh       result = mesh;
-  for (Vector3 & node : result.nodes)
-  {
-    node = turn * node;
-  }
-  return result;
+  const Matrix3 turn = analytic::rotation(Vector3::UnitX(), degrees * pi / 180.0);
+  const Vector3 middle = 0.5 * (mesh.nodes.front() + mesh.nodes.back());
+  return transformed(mesh, { 1.0, turn, middle - turn * middle });
 }
 
 } // namespace
@@ -87,6 +83,45 @@ TEST(Comparison, ATurnThatATransformHasTakenAwayIsNoWarning)
   EXPECT_TRUE(warningsOf(series, "file").empty());
   series.points[1].lattice = baseline;
   EXPECT_EQ(warningsOf(series, "file").size(), 1u);
+}
+
+namespace
+{
+
+HexMesh
+shifted(const HexMesh & mesh, const Vector3 & shift)
+{
+  return transformed(mesh, { 1.0, Matrix3::Identity(), shift });
+}
+
+} // namespace
+
+TEST(Comparison, VisitsThatAreNotRegisteredAreAWarningWithoutAnAlignment)
+{
+  const HexMesh baseline = analytic::cubeLattice(5, 2.0); // the ball of its volume has a radius of 5 mm
+  EXPECT_TRUE(warningsOf(seriesOf(baseline, shifted(baseline, { 0.5, 0, 0 })), "none").empty());
+  EXPECT_TRUE(warningsOf(seriesOf(baseline, shifted(baseline, { 30, 0, 0 })), "rigid").empty());
+  const auto warnings = warningsOf(seriesOf(baseline, shifted(baseline, { 30, 0, 0 })), "none");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].find("b.vtu: its surface lies 2"), 0u) << warnings[0];
+}
+
+TEST(Comparison, ATransformTheWrongWayRoundIsAWarning)
+{
+  const HexMesh             baseline = analytic::cubeLattice(5, 2.0);
+  const SimilarityTransform toFollowUp{ 1.0, Matrix3::Identity(), Vector3(10, 0, 0) };
+  TimeSeries                series = seriesOf(baseline, transformed(baseline, toFollowUp));
+  series.points[1].transform.name = "t.tfm";
+  series.points[1].alignment = toFollowUp.inverse();
+  EXPECT_TRUE(warningsOf(series, "file").empty());
+  series.points[1].alignment = toFollowUp;
+  const auto warnings = warningsOf(series, "file");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].find("t.tfm: its inverse brings the surfaces to 0.0 mm instead of 1"), 0u) << warnings[0];
+  series.points[1].alignment = SimilarityTransform{ 1.0, Matrix3::Identity(), Vector3(0, 20, 0) };
+  const auto ofOther = warningsOf(series, "file");
+  ASSERT_EQ(ofOther.size(), 1u);
+  EXPECT_NE(ofOther[0].find("is it the transform of these visits?"), std::string::npos) << ofOther[0];
 }
 
 TEST(Comparison, ChangeOfVolumeIsThatOfTheWholeOrgan)

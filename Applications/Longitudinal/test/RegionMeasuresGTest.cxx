@@ -89,6 +89,14 @@ TEST(RegionMeasures, KnownGrowthIsFoundInItsPlace)
   EXPECT_GT(in(rows, "left", "normal_motion").maximum, 3.0);
 }
 
+TEST(RegionMeasures, EachDistanceIsWeightedByTheSurfaceThatItsNodesLieOn)
+{
+  const auto rows = regionRows(box(), compareWithBaseline(box(), grown(), AlignmentKind::None, 1), {});
+  EXPECT_NEAR(in(rows, "organ", "baseline_signed_distance").weight, 6.0 * 100.0, 1e-9);
+  EXPECT_NEAR(in(rows, "organ", "normal_motion").weight, 6.0 * 100.0, 1e-9);
+  EXPECT_NEAR(in(rows, "organ", "signed_distance").weight, 4.0 * 140.0 + 2.0 * 100.0, 1e-9);
+}
+
 TEST(RegionMeasures, TheInnermostShellIsOneCell)
 {
   const HexMesh small = analytic::cubeLattice(20, 2.0);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 using namespace moserhex;
 using namespace moserhex::app;
@@ -113,7 +114,9 @@ TEST_F(TimeSeriesFiles, CellsThatAreEvenAtOneTimeOnlyAreAWarning)
   ASSERT_EQ(ofBaseline.size(), 1u);
   EXPECT_NE(ofBaseline[0].find("uneven.vtu: its cells are uneven"), std::string::npos) << ofBaseline[0];
   EXPECT_NE(ofBaseline[0].find("Volumetric is no local growth"), std::string::npos) << ofBaseline[0];
-  EXPECT_TRUE(readTimeSeries(of({ "uneven.vtu", "uneven.vtu" })).warnings.empty());
+  const auto ofBoth = readTimeSeries(of({ "uneven.vtu", "uneven.vtu" })).warnings;
+  ASSERT_EQ(ofBoth.size(), 1u);
+  EXPECT_NE(ofBoth[0].find("/uneven, too"), std::string::npos) << ofBoth[0];
   HexMeshFields grown;
   grown.meshArrays = localGrowthArrays(0.5, 2.0);
   writeHexMesh(m_Folder / "grown.vtu", unevenLattice(), grown);
@@ -139,7 +142,57 @@ TEST_F(TimeSeriesFiles, AMeshThatItsReportCallsInexactIsAWarning)
   writeBytes(m_Folder / "b.json", R"({"parameters": {"stage": "moser"}})");
   const TimeSeries series = readTimeSeries(of({ "a.vtu", "b.msh" }));
   ASSERT_EQ(series.warnings.size(), 1u);
-  EXPECT_NE(series.warnings[0].find("b.msh: its report says that it is not exact"), std::string::npos);
+  EXPECT_NE(series.warnings[0].find("b.msh: it was not made exact"), std::string::npos);
+}
+
+TEST_F(TimeSeriesFiles, WhatTheFilesRecordOfTheirCellsIsTold)
+{
+  const auto write = [this](const std::string & name, const std::string & array) {
+    HexMeshFields fields;
+    fields.meshArrays = { { array, 1, { 1.0 } } };
+    writeHexMesh(m_Folder / name, unevenLattice(), fields);
+  };
+  write("density.vtu", "MeanDensity");
+  write("moser.vtu", "NotExact");
+  const TimeSeries series = readTimeSeries(of({ "density.vtu", "moser.vtu" }));
+  ASSERT_EQ(series.warnings.size(), 2u); // nothing of unevenness, which these explain
+  EXPECT_NE(series.warnings[0].find("density.vtu: its cells hold equal masses of a density"), std::string::npos);
+  EXPECT_NE(series.warnings[1].find("moser.vtu: it was not made exact"), std::string::npos);
+  EXPECT_TRUE(series.points[0].cells.hasDensity);
+  EXPECT_EQ(series.points[1].record.size(), 1u);
+}
+
+TEST_F(TimeSeriesFiles, CoordinatesOf32BitsAreEven)
+{
+  HexMesh far = analytic::cubeLattice(4, 2.13);
+  for (Vector3 & node : far.nodes)
+  {
+    node = (node + Vector3(-100.3, 57.7, -900.1)).cast<float>().cast<double>();
+  }
+  writeHexMesh(m_Folder / "far.vtu", far);
+  EXPECT_TRUE(readTimeSeries(of({ "a.vtu", "far.vtu" })).warnings.empty());
+}
+
+TEST_F(TimeSeriesFiles, EqualNamesGetTheirFolders)
+{
+  const TestFolder other;
+  writeHexMesh(other / "a.vtu", analytic::cubeLattice(4));
+  CompareCommandOptions options = of({ "a.vtu", "b.msh" });
+  options.meshes.push_back(other / "a.vtu");
+  const TimeSeries series = readTimeSeries(options);
+  EXPECT_EQ(series.points[0].name, std::filesystem::path(m_Folder / "").parent_path().filename().string() + "/a");
+  EXPECT_EQ(series.points[1].name, "b");
+  EXPECT_EQ(series.points[2].name, std::filesystem::path(other / "").parent_path().filename().string() + "/a");
+}
+
+TEST_F(TimeSeriesFiles, ATransformAndAWayToAlignAreOneTooMany)
+{
+  CompareCommandOptions options = of({ "a.vtu", "b.msh" });
+  options.transforms = { "t.tfm" };
+  options.align = "similarity";
+  EXPECT_NE(
+    analytic::messageOf<UsageError>([&] { (void)readTimeSeries(options); }).find("both --transforms and --align"),
+    std::string::npos);
 }
 
 TEST_F(TimeSeriesFiles, ChecksumsAreOfWhatWasRead)

@@ -28,7 +28,8 @@ describeFailure(const std::exception_ptr & exception)
   }
   catch (const std::bad_alloc &)
   {
-    return { ErrorCode::OutOfMemory, "not enough memory; use fewer shells or crop the image" };
+    return { ErrorCode::OutOfMemory,
+             "not enough memory; use fewer shells or boxes, a smaller image, or a larger machine" };
   }
   catch (const std::exception & error)
   {

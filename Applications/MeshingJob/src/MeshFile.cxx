@@ -99,34 +99,6 @@ requireUnchanged(const std::string & fileName, const std::string & sha256)
   }
 }
 
-/** How the lattice is turned off the patient's axes: a tied one as its template. */
-std::optional<Vector3>
-turnOf(const PipelineType & pipeline, const PipelineInputs & inputs)
-{
-  if (inputs.tied)
-  {
-    return inputs.tied->latticeTurn;
-  }
-  const Vector3 turn = rotationVector(latticeTurn(pipeline.GetResult()));
-  return turn.norm() > 0.0 ? std::optional<Vector3>(turn) : std::nullopt;
-}
-
-/** Arrays of the mesh that say how it was made. */
-std::vector<NamedArray>
-recordOf(const RunReport & report)
-{
-  std::vector<NamedArray> arrays = latticeTurnArrays(report.latticeTurn.value_or(Vector3::Zero()));
-  if (report.templateMesh && report.templateMesh->growth)
-  {
-    const RunReport::Growth & growth = *report.templateMesh->growth;
-    for (NamedArray & array : localGrowthArrays(growth.smallest, growth.largest))
-    {
-      arrays.push_back(std::move(array));
-    }
-  }
-  return arrays;
-}
-
 /** Reads, meshes and writes the mesh. What is known by then is in the report, also when it throws. */
 void
 makeMesh(const MeshCommandOptions &                       options,
@@ -167,9 +139,16 @@ makeMesh(const MeshCommandOptions &                       options,
   }
   say("meshing " + meshed.solid.name());
   meshed.pipeline = runPipeline(meshed.solid, inputs, options, progress);
-  addResults(*meshed.pipeline, report);
-  report.latticeTurn = turnOf(*meshed.pipeline, inputs);
+  addResults(*meshed.pipeline, inputs, report);
   requireUnchanged(options.input.file, report.input.sha256);
+  if (report.density)
+  {
+    requireUnchanged(report.density->file, report.density->sha256);
+  }
+  for (const RunReport::File & file : report.templateMesh ? report.templateMesh->files : std::vector<RunReport::File>())
+  {
+    requireUnchanged(file.name, file.sha256);
+  }
 
   say("writing the mesh");
   const HexMesh & mesh = meshed.pipeline->GetHexMesh();

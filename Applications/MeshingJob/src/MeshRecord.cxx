@@ -24,18 +24,32 @@ using Json = nlohmann::json;
 constexpr const char * turnArray = "LatticeTurn";
 constexpr const char * smallestGrowthArray = "SmallestGrowth";
 constexpr const char * largestGrowthArray = "LargestGrowth";
-const double           degree = std::acos(-1.0) / 180.0;
+constexpr const char * meanDensityArray = "MeanDensity";
+constexpr const char * notExactArray = "NotExact";
+const double           degree = pi / 180.0;
 
 bool
-isOfGrowth(const NamedArray & array)
+has(const std::vector<NamedArray> & meshArrays, const std::string & name)
 {
-  return array.name == smallestGrowthArray || array.name == largestGrowthArray;
+  return std::any_of(
+    meshArrays.begin(), meshArrays.end(), [&name](const NamedArray & array) { return array.name == name; });
+}
+
+bool
+isOfCells(const NamedArray & array)
+{
+  return array.name == smallestGrowthArray || array.name == largestGrowthArray || array.name == meanDensityArray ||
+         array.name == notExactArray;
 }
 
 /** The report; discarded when there is none. */
 Json
 reportBeside(const std::string & meshFile)
 {
+  if (meshFile.empty()) // of a mesh that has no file
+  {
+    return Json(Json::value_t::discarded);
+  }
   const fs::path  report = fs::path(meshFile).replace_extension(".json");
   std::error_code missing;
   if (!fs::is_regular_file(report, missing) || fs::file_size(report, missing) > largestReport)
@@ -106,6 +120,17 @@ turnInReport(const Json & report)
   return std::nullopt;
 }
 
+bool
+isInexactBy(const Json & report)
+{
+  const auto isAt = [&report](const char * place, const auto & isWrong) {
+    const Json::json_pointer pointer(place);
+    return report.contains(pointer) && isWrong(report.at(pointer));
+  };
+  return isAt("/parameters/stage", [](const Json & stage) { return stage.is_string() && stage != "exact"; }) ||
+         isAt("/exact/reached", [](const Json & reached) { return reached.is_boolean() && !reached.get<bool>(); });
+}
+
 } // namespace
 
 Vector3
@@ -161,12 +186,50 @@ localGrowthArrays(double smallest, double largest)
   return { { smallestGrowthArray, 1, { smallest } }, { largestGrowthArray, 1, { largest } } };
 }
 
-bool
-hasLocalGrowth(const std::string & meshFile, const std::vector<NamedArray> & meshArrays)
+std::vector<NamedArray>
+notExactArrays()
 {
-  const bool isInFile = std::any_of(meshArrays.begin(), meshArrays.end(), isOfGrowth);
+  return { { notExactArray, 1, { 1.0 } } };
+}
+
+CellRecord
+cellRecordOf(const std::string & meshFile, const std::vector<NamedArray> & meshArrays)
+{
+  CellRecord record;
+  record.hasLocalGrowth = has(meshArrays, smallestGrowthArray) || has(meshArrays, largestGrowthArray);
+  record.hasDensity = has(meshArrays, meanDensityArray);
+  record.isInexact = has(meshArrays, notExactArray);
   const Json report = reportBeside(meshFile);
-  return isInFile || (report.is_object() && report.contains(Json::json_pointer("/template/local_growth")));
+  if (report.is_object())
+  {
+    record.hasLocalGrowth = record.hasLocalGrowth || report.contains(Json::json_pointer("/template/local_growth"));
+    record.hasDensity = record.hasDensity || report.contains("density");
+    record.isInexact = record.isInexact || isInexactBy(report);
+  }
+  return record;
+}
+
+std::vector<NamedArray>
+recordOf(const RunReport & report)
+{
+  std::vector<NamedArray> arrays = latticeTurnArrays(report.latticeTurn.value_or(Vector3::Zero()));
+  if (report.templateMesh && report.templateMesh->growth)
+  {
+    const RunReport::Growth & growth = *report.templateMesh->growth;
+    for (NamedArray & array : localGrowthArrays(growth.smallest, growth.largest))
+    {
+      arrays.push_back(std::move(array));
+    }
+  }
+  if (report.density)
+  {
+    arrays.push_back({ meanDensityArray, 1, { report.density->mean } });
+  }
+  if (!report.exact || !report.exact->reached)
+  {
+    arrays.push_back(notExactArrays().front());
+  }
+  return arrays;
 }
 
 std::vector<NamedArray>
@@ -174,24 +237,29 @@ recordOf(const std::string & meshFile, const std::vector<NamedArray> & meshArray
 {
   const std::optional<LatticeTurn> turn = turnOfLattice(meshFile, meshArrays);
   std::vector<NamedArray> record = latticeTurnArrays(turn ? turn->rotation.value_or(Vector3::Zero()) : Vector3::Zero());
-  std::copy_if(meshArrays.begin(), meshArrays.end(), std::back_inserter(record), isOfGrowth);
-  return record;
-}
-
-bool
-isReportedInexact(const std::string & meshFile)
-{
-  const Json report = reportBeside(meshFile);
-  if (!report.is_object())
-  {
-    return false;
-  }
-  const auto isAt = [&report](const char * place, const auto & isWrong) {
+  std::copy_if(meshArrays.begin(), meshArrays.end(), std::back_inserter(record), isOfCells);
+  const Json       report = reportBeside(meshFile);
+  const CellRecord cells = cellRecordOf(meshFile, meshArrays);
+  const auto       numberAt = [&report](const char * place) {
     const Json::json_pointer pointer(place);
-    return report.contains(pointer) && isWrong(report.at(pointer));
+    const bool isNumber = report.is_object() && report.contains(pointer) && report.at(pointer).is_number();
+    return isNumber ? report.at(pointer).get<double>() : 0.0; // not known
   };
-  return isAt("/parameters/stage", [](const Json & stage) { return stage.is_string() && stage != "exact"; }) ||
-         isAt("/exact/reached", [](const Json & reached) { return reached.is_boolean() && !reached.get<bool>(); });
+  if (cells.hasLocalGrowth && !has(record, smallestGrowthArray))
+  {
+    const auto growth =
+      localGrowthArrays(numberAt("/template/local_growth/smallest"), numberAt("/template/local_growth/largest"));
+    record.insert(record.end(), growth.begin(), growth.end());
+  }
+  if (cells.hasDensity && !has(record, meanDensityArray))
+  {
+    record.push_back({ meanDensityArray, 1, { numberAt("/density/mean") } });
+  }
+  if (cells.isInexact && !has(record, notExactArray))
+  {
+    record.push_back(notExactArrays().front());
+  }
+  return record;
 }
 
 } // namespace moserhex::app

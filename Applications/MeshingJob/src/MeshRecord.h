@@ -2,6 +2,7 @@
 
 #include "moserhex/Common/Types.h"
 #include "moserhex/HexMeshIO/NamedArray.h"
+#include "moserhex/HexMeshIO/RunReport.h"
 
 #include <cstddef>
 #include <optional>
@@ -55,18 +56,28 @@ turnWarnings(const std::vector<TurnOfFile> & meshes, const std::string & consequ
 [[nodiscard]] std::vector<NamedArray>
 localGrowthArrays(double smallest, double largest);
 
-/** Whether a mesh's cells were free to grow differently, by the arrays of its file or else by the report beside it.
- * \param meshArrays  of that file */
-[[nodiscard]] bool
-hasLocalGrowth(const std::string & meshFile, const std::vector<NamedArray> & meshArrays);
+/** What the volumes of a mesh's cells mean. */
+struct CellRecord
+{
+  bool hasLocalGrowth{ false }; ///< they were free to grow differently: SmallestGrowth, LargestGrowth
+  bool hasDensity{ false };     ///< they hold equal masses, not equal volumes: MeanDensity
+  bool isInexact{ false };      ///< not made equal and valid, by another last stage or as stage J fell short: NotExact
+};
 
-/** What of this is in a mesh's file, or LatticeTurn in the report beside it, for another file of the same mesh. */
+/** The array NotExact of a mesh's file. */
+[[nodiscard]] std::vector<NamedArray>
+notExactArrays();
+
+/** By the arrays of a mesh's file, and by the report beside it. \param meshArrays  of that file */
+[[nodiscard]] CellRecord
+cellRecordOf(const std::string & meshFile, const std::vector<NamedArray> & meshArrays);
+
+/** The arrays LatticeTurn, SmallestGrowth, LargestGrowth, MeanDensity and NotExact of a mesh, those that apply. */
+[[nodiscard]] std::vector<NamedArray>
+recordOf(const RunReport & report);
+
+/** What of this is in a mesh's file, or else in the report beside it, for another file of the same mesh. */
 [[nodiscard]] std::vector<NamedArray>
 recordOf(const std::string & meshFile, const std::vector<NamedArray> & meshArrays);
-
-/** Whether the report beside a mesh says that its cells were not made equal and valid: another last stage than exact,
- * or stage J fell short. False where there is no report. */
-[[nodiscard]] bool
-isReportedInexact(const std::string & meshFile);
 
 } // namespace moserhex::app

@@ -1,6 +1,7 @@
 #include "MeshReport.h"
 
 #include "Console.h"
+#include "MeshRecord.h"
 #include "Silhouette.h"
 #include "TemplateWarnings.h"
 #include "Version.h"
@@ -108,6 +109,18 @@ describeMesh(const SolidMeshingResult & result, const std::vector<MeshingStageRe
   report.warnings.insert(report.warnings.end(), result.warnings.begin(), result.warnings.end());
 }
 
+/** How the lattice is turned off the patient's axes: a tied one as its template. */
+std::optional<Vector3>
+turnOf(const PipelineType & pipeline, const PipelineInputs & inputs)
+{
+  if (inputs.tied)
+  {
+    return inputs.tied->latticeTurn;
+  }
+  const Vector3 turn = rotationVector(latticeTurn(pipeline.GetResult()));
+  return turn.norm() > 0.0 ? std::optional<Vector3>(turn) : std::nullopt;
+}
+
 } // namespace
 
 RunReport
@@ -122,6 +135,7 @@ startReport(const MeshCommandOptions & options)
   report.parameters.way = options.stage == "exact" ? wayOf(options) : "";
   report.parameters.frame = options.frame;
   report.parameters.density = options.density;
+  report.parameters.localGrowth = options.localGrowth;
   if (!options.templateMesh.empty())
   {
     report.templateMesh = RunReport::Template{};
@@ -157,8 +171,9 @@ addSolid(const ChosenSolid & solid, RunReport & report)
 }
 
 void
-addResults(const PipelineType & pipeline, RunReport & report)
+addResults(const PipelineType & pipeline, const PipelineInputs & inputs, RunReport & report)
 {
+  report.latticeTurn = turnOf(pipeline, inputs);
   report.conditioning = describeConditioning(pipeline.GetConditioningReport());
   describeMesh(pipeline.GetResult(), pipeline.GetStages(), report);
   if (pipeline.GetLabelDensity())

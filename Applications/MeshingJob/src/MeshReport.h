@@ -16,7 +16,7 @@ addSolid(const ChosenSolid & solid, RunReport & report);
 
 /** What the run did and made; of a density, what it is on the label. */
 void
-addResults(const PipelineType & pipeline, RunReport & report);
+addResults(const PipelineType & pipeline, const PipelineInputs & inputs, RunReport & report);
 
 /** The quality table, then what was meshed and how well, then where the files are. */
 void

@@ -109,8 +109,10 @@ faultOf(ErrorCode code, const std::string & description, const ChosenSolid & sol
 [[noreturn]] void
 throwOutOfMemory(const MeshCommandOptions & options)
 {
-  throw NoMeshError(
-    ErrorCode::OutOfMemory, options.input.file, "not enough memory", "use fewer shells or crop the image");
+  throw NoMeshError(ErrorCode::OutOfMemory,
+                    options.input.file,
+                    "not enough memory",
+                    "use fewer shells, a smaller image, or a larger machine");
 }
 
 void

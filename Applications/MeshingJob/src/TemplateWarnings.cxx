@@ -58,7 +58,7 @@ warningOfSize(const TemplateFit & fit)
 std::vector<std::string>
 templateWarnings(const TemplateFit & fit, const RunReport::Template & tied, double volume)
 {
-  const double             radius = std::cbrt(0.75 * volume / std::acos(-1.0));
+  const double             radius = std::cbrt(0.75 * volume / pi);
   std::vector<std::string> warnings;
   for (const std::string & warning : { warningOfPlace(fit, tied, radius), warningOfSize(fit) })
   {

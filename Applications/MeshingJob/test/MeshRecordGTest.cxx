@@ -24,7 +24,7 @@ descriptionOf(const std::optional<LatticeTurn> & turn)
 
 TEST(MeshRecord, ARotationIsItsAxisTimesItsAngle)
 {
-  const double angle = std::acos(-1.0) / 6.0;
+  const double angle = pi / 6.0;
   EXPECT_LT((rotationVector(Eigen::AngleAxisd(angle, Vector3::UnitY()).toRotationMatrix()) - Vector3(0, 30, 0)).norm(),
             1e-12);
   EXPECT_EQ(rotationVector(Matrix3::Identity()), Vector3(0, 0, 0));
@@ -86,10 +86,10 @@ TEST(MeshRecord, NothingIsToldWithoutATurnOrAReport)
   {
     writeBytes(folder / "a.json", report);
     EXPECT_FALSE(turnOfLattice(folder / "a.vtu", {})) << report;
-    EXPECT_FALSE(isReportedInexact(folder / "a.vtu")) << report;
+    EXPECT_FALSE(cellRecordOf(folder / "a.vtu", {}).isInexact) << report;
   }
   EXPECT_FALSE(turnOfLattice(folder / "missing.vtu", {}));
-  EXPECT_FALSE(isReportedInexact(folder / "missing.vtu"));
+  EXPECT_FALSE(cellRecordOf(folder / "missing.vtu", {}).isInexact);
 }
 
 TEST(MeshRecord, OnlyTurnsThatDifferAreWarnedOf)
@@ -111,12 +111,12 @@ TEST(MeshRecord, OnlyTurnsThatDifferAreWarnedOf)
 TEST(MeshRecord, LocalGrowthIsTold)
 {
   const TestFolder folder;
-  EXPECT_TRUE(hasLocalGrowth(folder / "a.vtu", localGrowthArrays(0.8, 2.1)));
-  EXPECT_FALSE(hasLocalGrowth(folder / "a.vtu", {}));
+  EXPECT_TRUE(cellRecordOf(folder / "a.vtu", localGrowthArrays(0.8, 2.1)).hasLocalGrowth);
+  EXPECT_FALSE(cellRecordOf(folder / "a.vtu", {}).hasLocalGrowth);
   writeBytes(folder / "a.json", R"({"template": {"local_growth": {"smallest": 0.8}}})");
-  EXPECT_TRUE(hasLocalGrowth(folder / "a.vtu", {}));
+  EXPECT_TRUE(cellRecordOf(folder / "a.vtu", {}).hasLocalGrowth);
   writeBytes(folder / "a.json", R"({"template": 3})");
-  EXPECT_FALSE(hasLocalGrowth(folder / "a.vtu", {}));
+  EXPECT_FALSE(cellRecordOf(folder / "a.vtu", {}).hasLocalGrowth);
 }
 
 TEST(MeshRecord, IsKeptForAnotherFileOfTheMesh)
@@ -132,12 +132,47 @@ TEST(MeshRecord, IsKeptForAnotherFileOfTheMesh)
   EXPECT_EQ(kept[2].values, inFile[1].values);
 }
 
+TEST(MeshRecord, WhatOnlyTheReportHasIsKeptToo)
+{
+  const TestFolder folder;
+  writeBytes(folder / "a.json",
+             R"({"density": {"mean": 3.5}, "exact": {"reached": false},)"
+             R"( "template": {"local_growth": {"smallest": 0.8, "largest": 2.0}}})");
+  const std::vector<NamedArray> kept = recordOf(folder / "a.vtu", {});
+  ASSERT_EQ(kept.size(), 4u);
+  EXPECT_EQ(kept[0].values, std::vector<double>{ 0.8 });
+  EXPECT_EQ(kept[1].values, std::vector<double>{ 2.0 });
+  EXPECT_EQ(kept[2].values, std::vector<double>{ 3.5 });
+  EXPECT_EQ(kept[3].name, "NotExact");
+  EXPECT_TRUE(recordOf("", {}).empty());
+}
+
+TEST(MeshRecord, OfARunIsWhatMakesItsCellsDiffer)
+{
+  RunReport report;
+  report.exact.emplace().reached = true;
+  EXPECT_TRUE(recordOf(report).empty());
+  report.density.emplace().mean = 3.5;
+  ASSERT_EQ(recordOf(report).size(), 1u);
+  EXPECT_EQ(recordOf(report)[0].values, std::vector<double>{ 3.5 });
+  EXPECT_TRUE(cellRecordOf("", recordOf(report)).hasDensity);
+  EXPECT_FALSE(cellRecordOf("", recordOf(report)).isInexact);
+  report.exact->reached = false;
+  EXPECT_TRUE(cellRecordOf("", recordOf(report)).isInexact);
+  report.exact.reset(); // another last stage
+  EXPECT_TRUE(cellRecordOf("", recordOf(report)).isInexact);
+  EXPECT_EQ(recordOf("", recordOf(report)).size(), 2u);
+  const TestFolder folder;
+  writeBytes(folder / "a.json", R"({"density": {"mean": 3.5}})");
+  EXPECT_TRUE(cellRecordOf(folder / "a.vtu", {}).hasDensity);
+}
+
 TEST(MeshRecord, AMeshThatIsNotExactIsTold)
 {
   const TestFolder folder;
   const auto       isInexact = [&folder](const std::string & report) {
     writeBytes(folder / "a.json", report);
-    return isReportedInexact(folder / "a.vtu");
+    return cellRecordOf(folder / "a.vtu", {}).isInexact;
   };
   EXPECT_TRUE(isInexact(R"({"parameters": {"stage": "moser"}})"));
   EXPECT_TRUE(isInexact(R"({"parameters": {"stage": "exact"}, "exact": {"reached": false}})"));

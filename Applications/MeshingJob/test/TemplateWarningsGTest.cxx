@@ -11,7 +11,7 @@ using namespace moserhex::app;
 namespace
 {
 
-const double volume = 4.0 / 3.0 * std::acos(-1.0) * 8000.0;
+const double volume = 4.0 / 3.0 * pi * 8000.0;
 
 std::vector<std::string>
 warningsOn(const TemplateFit & fit, bool isAligned = false)

@@ -153,6 +153,7 @@ makeAtlas(const AtlasOptions & options)
     ProgressPrinter printer(options.quiet);
     AtlasResult     all = analyse(options, [&printer](double fraction) { printer.show(analysisPart * fraction); });
     removeEarlierAtlas(options.outputFolder);
+    markAtlasBegun(options.outputFolder);
     writeModeMeshes(
       all, options, [&printer](double fraction) { printer.show(analysisPart + (1.0 - analysisPart) * fraction); });
     return all;

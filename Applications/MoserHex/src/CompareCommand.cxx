@@ -46,7 +46,7 @@ addCompareCommand(CLI::App & program, CompareCommandOptions & options)
   command->add_option("--output", options.outputFolder, "Folder to write to")->required();
   command->add_option("--align", options.align, "What is no change: position and direction, size as well, nothing")
     ->check(CLI::IsMember({ "rigid", "similarity", "none" }))
-    ->capture_default_str();
+    ->default_str("rigid");
   command
     ->add_option("--transforms",
                  options.transforms,
@@ -65,7 +65,10 @@ addCompareCommand(CLI::App & program, CompareCommandOptions & options)
   command->add_option("--times", options.times, "Months of the meshes, ascending, separated by commas")
     ->delimiter(',')
     ->allow_extra_args(false);
-  command->add_option("--names", options.names, "Names of the times, separated by commas [the files' names]")
+  command
+    ->add_option("--names",
+                 options.names,
+                 "Names of the times, separated by commas [the files' names, with their folders where two are alike]")
     ->delimiter(',')
     ->allow_extra_args(false);
   command->add_flag(

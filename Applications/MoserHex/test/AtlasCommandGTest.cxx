@@ -253,6 +253,53 @@ TEST_F(AtlasCommand, ASubjectIsProjectedToItsOwnScoresAndMadeOfThem)
   }
 }
 
+TEST_F(AtlasCommand, ProjectionAndReconstructionReplaceNoInput)
+{
+  writeSubjects(6);
+  ASSERT_EQ(atlas("m", "out", { "--modes=100%", "--align=none" }).exitCode, 0);
+  const std::string scores = contentOf(path("out/scores.csv"));
+  const std::string mesh = contentOf(path("m/3.vtu"));
+  const std::string model = path("out/model.json");
+  expectErrorCode(atlas("out/scores.csv", "m", { "--reconstruct", model }), "E_USAGE"); // among the subjects
+  expectErrorCode(atlas("out/scores.csv", "out", { "--reconstruct", model }), "E_USAGE");
+  expectErrorCode(atlas("m", "out", { "--project", model }), "E_USAGE");
+  EXPECT_EQ(contentOf(path("out/scores.csv")), scores);
+  EXPECT_EQ(contentOf(path("m/3.vtu")), mesh);
+  ASSERT_EQ(atlas("out/scores.csv", "made", { "--reconstruct", model }).exitCode, 0);
+  EXPECT_EQ(atlas("out/scores.csv", "made", { "--reconstruct", model, "--modes=2" }).exitCode, 0); // its own
+}
+
+TEST_F(AtlasCommand, NamesOfGroupsMayHoldAnything)
+{
+  writeSubjects(9);
+  std::string table = "mesh,age\n";
+  for (int i = 0; i < 9; ++i)
+  {
+    const char * const groups[] = { "<50", ">65", "R&D \"x\"" };
+    table += "m/" + std::to_string(i) + ".vtu,\"" + (i % 3 == 2 ? "R&D \"\"x\"\"" : groups[i % 3]) + "\"\n";
+  }
+  writeTextFile(path("ages.csv"), table);
+  const Outcome outcome = atlas("ages.csv", "out", { "--group=age", "--permutations=99" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+  const std::string mesh = contentOf(path("out/group.vtu"));
+  for (const char * name : { "Difference__50_1", "Difference__65_2", "Difference_R_D _x__3" })
+  {
+    EXPECT_NE(mesh.find(name), std::string::npos) << name;
+  }
+  EXPECT_NE(contentOf(path("out/group.csv")).find("difference_<50_x"), std::string::npos);
+}
+
+TEST_F(AtlasCommand, AnAtlasThatWasNotFinishedIsNoSubjectAndGoes)
+{
+  writeSubjects(6);
+  ASSERT_EQ(atlas("m", "m/atlas", {}).exitCode, 0);
+  fs::remove(path("m/atlas/model.json"));
+  writeTextFile(path("m/atlas/atlas.json"), "{ \"status\": \"unfinished\" }\n");
+  const Outcome outcome = atlas("m", "out", {});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("subjects    6"), std::string::npos) << outcome.out;
+}
+
 TEST_F(AtlasCommand, ALatticeThatWasTurnedIsWarnedOf)
 {
   writeSubjects(4);

@@ -6,6 +6,7 @@
 #include "TextTable.h"
 #include "moserhex/HexMeshIO/AtomicFile.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -23,11 +24,14 @@ optionsOf(const ModuleArguments & arguments)
 {
   app::CompareCommandOptions options;
   options.meshes = { arguments.text("baseline"), arguments.text("followUp") };
-  options.align = arguments.text("align");
   options.regions = { arguments.text("regions") };
   if (arguments.has("transform"))
   {
     options.transforms = { arguments.text("transform") };
+  }
+  else
+  {
+    options.align = arguments.text("align");
   }
   return options;
 }
@@ -67,11 +71,12 @@ measurementsOf(const app::Comparison & comparison)
 {
   const app::TimeComparison &  last = comparison.times.back();
   const WeightedDistribution & surface = app::ofOrgan(comparison.rows.back(), "signed_distance");
+  const WeightedDistribution & loss = app::ofOrgan(comparison.rows.back(), "baseline_signed_distance");
   const WeightedDistribution & stretch = app::ofOrgan(comparison.rows.back(), "largest_stretch");
   return { { "baselineVolume", app::numberText(comparison.series.points.front().volume) },
            { "followUpVolume", app::numberText(comparison.series.points.back().volume) },
            { "volumeChange", app::numberText(app::volumeChange(comparison.series, 1)) },
-           { "surfaceOut05", app::numberText(surface.p05) },
+           { "surfaceOut05", app::numberText(std::min(surface.p05, loss.p05)) },
            { "surfaceOut50", app::numberText(surface.median) },
            { "surfaceOut95", app::numberText(surface.p95) },
            { "largestStretch95", app::numberText(stretch.p95) },

@@ -2,10 +2,30 @@
 
 #include "moserhex/Common/Errors.h"
 
+#include <cmath>
+#include <numeric>
 #include <string>
+#include <vector>
 
 namespace moserhex
 {
+namespace
+{
+
+double
+volumeOf(const HexMesh & mesh)
+{
+  const std::vector<double> volumes = cellVolumes(mesh);
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+}
+
+Vector3
+mean(const Positions & points)
+{
+  return std::accumulate(points.begin(), points.end(), Vector3(Vector3::Zero())) / static_cast<double>(points.size());
+}
+
+} // namespace
 
 void
 requireComparable(const HexMesh & baseline, const HexMesh & followUp)
@@ -30,7 +50,14 @@ latticeAlignment(const HexMesh & followUp, const HexMesh & baseline, AlignmentKi
     case AlignmentKind::Rigid:
       return rigidAlignment(followUp.nodes, baseline.nodes);
     case AlignmentKind::Similarity:
-      return similarityAlignment(followUp.nodes, baseline.nodes);
+    {
+      SimilarityTransform motion = rigidAlignment(followUp.nodes, baseline.nodes);
+      const Vector3       from = mean(followUp.nodes);
+      const Vector3       to = motion(from); // the mean of the baseline's nodes
+      motion.scale = std::cbrt(volumeOf(baseline) / volumeOf(followUp));
+      motion.translation = to - motion.scale * (motion.rotation * from);
+      return motion;
+    }
   }
   return {};
 }

@@ -8,6 +8,9 @@
 
 #include <Eigen/Geometry>
 
+#include <numeric>
+#include <utility>
+
 using namespace moserhex;
 
 namespace
@@ -49,6 +52,30 @@ TEST(LatticeAlignment, OnlyTheSimilarityTakesTheSizeAway)
   EXPECT_EQ(latticeAlignment(grown, baseline, AlignmentKind::Rigid).scale, 1.0);
   const auto back = transformed(grown, latticeAlignment(grown, baseline, AlignmentKind::Similarity));
   EXPECT_LE(largestDifference(baseline, back), 1e-12 * 50.0);
+}
+
+TEST(LatticeAlignment, ASimilarityLeavesNoChangeOfVolumeWhereNodesDoNotFit)
+{
+  const auto volumeOf = [](const HexMesh & mesh) {
+    const std::vector<double> volumes = cellVolumes(mesh);
+    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  };
+  const HexMesh baseline = boxLattice(7, { 8, 8, 8 });
+  const HexMesh bulged = mapped(baseline, [](const Vector3 & x) {
+    return Vector3(1.1 * x[0], 1.1 * x[1] + 0.04 * x[0] * x[0], 1.1 * x[2] + 0.05 * x[1] * x[0]);
+  });
+  for (const auto & [from, to] : { std::pair(baseline, bulged), std::pair(bulged, baseline) })
+  {
+    const SimilarityTransform motion = latticeAlignment(from, to, AlignmentKind::Similarity);
+    EXPECT_NEAR(volumeOf(transformed(from, motion)) / volumeOf(to), 1.0, 1e-12);
+    EXPECT_LT((motion.rotation - latticeAlignment(from, to, AlignmentKind::Rigid).rotation).norm(), 1e-15);
+    Vector3 between = Vector3::Zero();
+    for (const Vector3 & u : displacements(to, transformed(from, motion)))
+    {
+      between += u;
+    }
+    EXPECT_LT(between.norm(), 1e-10); // the means of the nodes meet
+  }
 }
 
 TEST(LatticeAlignment, NoneLeavesTheMeshWhereItIs)
