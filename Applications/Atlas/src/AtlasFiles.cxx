@@ -244,7 +244,12 @@ writeAtlas(AtlasResult & result, const AtlasOptions & options)
   {
     writeAtlasTest(options.outputFolder, test, result.mean.mesh);
   }
-  if (options.labelSpacing > 0.0 && result.model.paddingLayers == 0)
+  if (options.labelSpacing > 0.0 && result.model.paddingLayers > 0)
+  {
+    result.warnings.emplace_back(
+      "template.nrrd: not written, as the lattice of a mesh with padding ends inside the organ");
+  }
+  else if (options.labelSpacing > 0.0)
   {
     writeTemplate(result, options);
   }

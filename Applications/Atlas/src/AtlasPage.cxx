@@ -104,7 +104,7 @@ testsSection(const AtlasResult & result)
                      shortNumber(test.result.smallestPossibleP),
                      std::to_string(placesAtLevel(test.result.pFamilyWise)),
                      std::to_string(placesAtLevel(test.result.qFalseDiscovery)),
-                     shortNumber(effectSizes(test).maxCoeff()),
+                     shortNumber(effectSizes(test).cwiseAbs().maxCoeff()),
                      largestChanges(test) });
   }
   if (rows.empty())

@@ -4,10 +4,10 @@
 #include "EarlierAtlas.h"
 #include "SameFile.h"
 #include "TableCells.h"
+#include "TextTable.h"
 #include "moserhex/HexMeshIO/HexCellReader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -17,14 +17,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-bool
-isTableName(const std::string & name)
-{
-  std::string ending = fs::path(name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".csv" || ending == ".tsv";
-}
 
 bool
 isHidden(const fs::path & path)

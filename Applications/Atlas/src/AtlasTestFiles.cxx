@@ -25,6 +25,20 @@ columnOf(const PlaceChange & change)
   return name;
 }
 
+/** Of an array in a file of VTK, which reads a name as XML. */
+std::string
+arrayNameOf(const PlaceChange & change, std::size_t number)
+{
+  std::string name = change.name;
+  const auto  isMarkup = [](char c) { return std::string("&<>\"'").find(c) != std::string::npos; };
+  if (std::any_of(name.begin(), name.end(), isMarkup))
+  {
+    std::replace_if(name.begin(), name.end(), isMarkup, '_');
+    name += "_" + std::to_string(number + 1); // two groups may differ in these alone
+  }
+  return name;
+}
+
 struct Figure
 {
   std::string     array;
@@ -85,18 +99,20 @@ writeTestMesh(const std::string & fileName, const AtlasTest & test, const HexMes
 {
   HexMeshFields             fields;
   std::vector<NamedArray> & arrays = test.areCells ? fields.cellArrays : fields.pointArrays;
+  std::size_t               number = 0;
   for (const PlaceChange & change : changesOf(test))
   {
+    const std::string name = arrayNameOf(change, number++);
     if (!test.areCells)
     {
-      arrays.push_back(arrayOf(change.name, 3, change.values));
+      arrays.push_back(arrayOf(name, 3, change.values));
       continue;
     }
     const std::vector<std::string> endings = endingsOf(test, change.values.rows());
     for (std::size_t component = 0; component < endings.size(); ++component)
     {
       const Eigen::VectorXd values = change.values.row(static_cast<Eigen::Index>(component)).transpose();
-      arrays.push_back(arrayOf(change.name + endings[component], 1, values));
+      arrays.push_back(arrayOf(name + endings[component], 1, values));
     }
   }
   for (const Figure & figure : figuresOf(test))
@@ -227,7 +243,7 @@ testJson(const AtlasTest & test)
                                { "smallest_p_family_wise", test.result.pFamilyWise.minCoeff() },
                                { places + "_p_family_wise_005", placesAtLevel(test.result.pFamilyWise) },
                                { places + "_q_false_discovery_005", placesAtLevel(test.result.qFalseDiscovery) },
-                               { "largest_effect_size", effectSizes(test).maxCoeff() } };
+                               { "largest_effect_size", effectSizes(test).cwiseAbs().maxCoeff() } };
   if (!test.groups.empty())
   {
     json["groups"] = test.groups;

@@ -2,8 +2,10 @@
 
 #include "CommandErrors.h"
 #include "SameFile.h"
+#include "moserhex/HexMeshIO/AtomicFile.h"
 
 #include <filesystem>
+#include <fstream>
 #include <regex>
 
 namespace moserhex::app
@@ -12,6 +14,17 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+/** The summary of an atlas that is not complete. */
+constexpr const char * begun = "{ \"status\": \"unfinished\" }\n";
+
+bool
+isBegun(const fs::path & summary)
+{
+  std::ifstream file(summary, std::ios::binary);
+  std::string   line;
+  return std::getline(file, line) && line + "\n" == begun;
+}
 
 bool
 isAtlasFile(const std::string & name)
@@ -28,7 +41,23 @@ bool
 holdsAtlas(const std::string & folder)
 {
   std::error_code ignored;
-  return fs::exists(fs::path(folder) / "atlas.json", ignored) && fs::exists(fs::path(folder) / "model.json", ignored);
+  const fs::path  summary = fs::path(folder) / "atlas.json";
+  return fs::exists(summary, ignored) && (fs::exists(fs::path(folder) / "model.json", ignored) || isBegun(summary));
+}
+
+void
+markAtlasBegun(const std::string & folder)
+{
+  writeTextFile((fs::path(folder) / "atlas.json").string(), begun);
+}
+
+void
+requireNoAtlas(const std::string & folder)
+{
+  if (holdsAtlas(folder))
+  {
+    throw UsageError(fileMessage(folder, "holds an atlas, whose files would be replaced", "write to another folder"));
+  }
 }
 
 void

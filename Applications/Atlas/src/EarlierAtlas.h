@@ -6,9 +6,17 @@
 namespace moserhex::app
 {
 
-/** Whether an atlas was written to a folder: its mean and its modes are no subjects. */
+/** Whether an atlas was written to a folder, or begun: its mean and its modes are no subjects. */
 [[nodiscard]] bool
 holdsAtlas(const std::string & folder);
+
+/** Marks a folder as one that holds an atlas, before its first file is written. \throws IOError */
+void
+markAtlasBegun(const std::string & folder);
+
+/** \throws UsageError  the folder holds an atlas, of which what is written there would replace files */
+void
+requireNoAtlas(const std::string & folder);
 
 /** Removes what an earlier atlas wrote to a folder, as this one may write less. Nothing where the folder holds no
  * atlas; other files stay. \throws IOError  a file cannot be removed */

@@ -2,11 +2,15 @@
 
 #include "AtlasFiles.h"
 #include "CommandErrors.h"
+#include "EarlierAtlas.h"
+#include "MeshRecord.h"
 #include "TableCells.h"
+#include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/HexMeshWriter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace moserhex::app
@@ -27,8 +31,33 @@ std::string
 nameOfRow(const TextTable & table, std::size_t row)
 {
   const std::size_t column = columnNumber(table, "subject");
-  const bool        isNamed = column < table.columns.size() && !isMissing(table.rows[row].cells[column]);
-  return isNamed ? table.rows[row].cells[column] : "row-" + std::to_string(row + 1);
+  if (column >= table.columns.size() || isMissing(table.rows[row].cells[column]))
+  {
+    return "row-" + std::to_string(row + 1);
+  }
+  const std::string & cell = table.rows[row].cells[column];
+  const bool isDefused = cell.size() > 1 && cell[0] == '\'' && std::string("=+-@").find(cell[1]) != std::string::npos;
+  return isDefused ? cell.substr(1) : cell; // as tableLine has it
+}
+
+constexpr const char * reconstructedArray = "Reconstructed"; ///< of a mesh that was
+
+/** \throws UsageError  there is another mesh than one that was reconstructed */
+void
+requireReplaceable(const std::string & fileName, const AtlasOptions & options)
+{
+  std::error_code ignored;
+  if (!std::filesystem::exists(fileName, ignored))
+  {
+    return;
+  }
+  const std::vector<NamedArray> arrays = readHexMeshFile(fileName, { options.sandbox }).meshArrays;
+  const auto                    isMark = [](const NamedArray & array) { return array.name == reconstructedArray; };
+  if (std::none_of(arrays.begin(), arrays.end(), isMark))
+  {
+    throw UsageError(
+      fileMessage(fileName, "a mesh that is there, and was not reconstructed", "write to another folder"));
+  }
 }
 
 /** "mode_" and a number, whether or not the model has such a mode. */
@@ -112,6 +141,8 @@ projectMeshes(const AtlasOptions & options)
 {
   const AtlasModel    model = readAtlasModel(options.projectOnto);
   const AtlasSubjects subjects = listAtlasSubjects(options.inputs, options.outputFolder);
+  requireNoAtlas(options.outputFolder);
+  requireNotOverwritten(options.inputs, options.outputFolder);
   const SubjectMeshes meshes = readSubjectMeshes(subjects, options, [](double) {});
   if (meshes.nodesPerSide != model.nodesPerSide || meshes.paddingLayers != model.paddingLayers)
   {
@@ -149,11 +180,12 @@ reconstructMeshes(const AtlasOptions & options)
   {
     throw UsageError("--reconstruct takes one table of scores");
   }
-  const std::string &      fileName = options.inputs.front();
-  const AtlasModel         model = readAtlasModel(options.reconstructWith);
-  const TextTable          table = readTextTable(fileName);
-  const Eigen::Index       modes = modesToUse(model.shape, options);
-  const Eigen::MatrixXd    scores = scoresOfTable(fileName, table, model.shape.modes.cols()).leftCols(modes);
+  const std::string &   fileName = options.inputs.front();
+  const AtlasModel      model = readAtlasModel(options.reconstructWith);
+  const TextTable       table = readTextTable(fileName);
+  const Eigen::Index    modes = modesToUse(model.shape, options);
+  const Eigen::MatrixXd scores = scoresOfTable(fileName, table, model.shape.modes.cols()).leftCols(modes);
+  requireNoAtlas(options.outputFolder);
   std::vector<std::string> warnings;
   std::set<std::string>    files;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
@@ -163,6 +195,11 @@ reconstructMeshes(const AtlasOptions & options)
     {
       throw BadInput(ErrorCode::Format, fileName, "two rows for " + file, "give every row its own subject");
     }
+    requireReplaceable(options.outputFolder + "/" + file, options);
+  }
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+  {
+    const std::string     file = fileNameOf(nameOfRow(table, row));
     const Eigen::VectorXd b = scores.row(static_cast<Eigen::Index>(row))
                                 .transpose()
                                 .cwiseProduct(model.shape.variances.head(modes).cwiseSqrt());
@@ -172,7 +209,10 @@ reconstructMeshes(const AtlasOptions & options)
     {
       warnings.push_back(file + ": " + std::to_string(uncertified) + " cells are not certified");
     }
-    writeHexMesh(options.outputFolder + "/" + file, mesh);
+    HexMeshFields fields;
+    fields.meshArrays = notExactArrays();
+    fields.meshArrays.push_back({ reconstructedArray, 1, { 1.0 } });
+    writeHexMesh(options.outputFolder + "/" + file, mesh, fields);
   }
   return warnings;
 }

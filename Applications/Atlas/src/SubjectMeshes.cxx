@@ -5,6 +5,7 @@
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/ShapeStatistics/ShapeModel.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace moserhex::app
@@ -26,6 +27,41 @@ requireSameLattice(const std::string & fileName, const HexMesh & mesh, const Sub
   }
 }
 
+struct CellsOfFile
+{
+  std::string file;
+  CellRecord  cells;
+};
+
+/** Of meshes whose cells are not the same parts of their organs' volumes. */
+std::vector<std::string>
+cellWarnings(const std::vector<CellsOfFile> & meshes)
+{
+  const auto isOfMass = [](const CellsOfFile & mesh) { return mesh.cells.hasDensity; };
+  const bool areMixed =
+    std::any_of(meshes.begin(), meshes.end(), isOfMass) && !std::all_of(meshes.begin(), meshes.end(), isOfMass);
+  std::vector<std::string> warnings;
+  for (const CellsOfFile & mesh : meshes)
+  {
+    if (mesh.cells.isInexact)
+    {
+      warnings.push_back(fileMessage(
+        mesh.file, "it was not made exact, or fell short of it", "its cells are not equal parts of the organ"));
+    }
+    if (mesh.cells.hasLocalGrowth)
+    {
+      warnings.push_back(fileMessage(
+        mesh.file, "its cells were free to grow (--local-growth)", "the mean has equal cells, and does not show it"));
+    }
+    if (areMixed && mesh.cells.hasDensity)
+    {
+      warnings.push_back(
+        fileMessage(mesh.file, "its cells hold equal masses, those of others equal volumes", "make all alike"));
+    }
+  }
+  return warnings;
+}
+
 } // namespace
 
 SubjectMeshes
@@ -33,8 +69,9 @@ readSubjectMeshes(const AtlasSubjects &               subjects,
                   const AtlasOptions &                options,
                   const std::function<void(double)> & done)
 {
-  SubjectMeshes           result;
-  std::vector<TurnOfFile> turns;
+  SubjectMeshes            result;
+  std::vector<TurnOfFile>  turns;
+  std::vector<CellsOfFile> cells;
   for (std::size_t i = 0; i < subjects.subjects.size(); ++i)
   {
     const std::string & file = subjects.subjects[i].mesh;
@@ -53,9 +90,12 @@ readSubjectMeshes(const AtlasSubjects &               subjects,
     result.figures.push_back(
       { std::accumulate(volumes.begin(), volumes.end(), 0.0), centroidSize(mesh.nodes), silhouette(mesh) });
     turns.push_back({ file, turnOfLattice(file, read.meshArrays) });
+    cells.push_back({ file, cellRecordOf(file, read.meshArrays) });
     done(static_cast<double>(i + 1) / static_cast<double>(subjects.subjects.size()));
   }
   result.warnings = turnWarnings(turns, "its nodes may not correspond to the others'");
+  const std::vector<std::string> ofCells = cellWarnings(cells);
+  result.warnings.insert(result.warnings.end(), ofCells.begin(), ofCells.end());
   return result;
 }
 

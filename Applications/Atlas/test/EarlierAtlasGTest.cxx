@@ -31,6 +31,20 @@ TEST(EarlierAtlas, ItsFilesGoAndOthersStay)
   EXPECT_TRUE(std::filesystem::exists(folder / "mode-01-plus3.vtu.txt"));
 }
 
+TEST(EarlierAtlas, OneThatWasBegunCounts)
+{
+  const TestFolder folder;
+  writeTextFile(folder / "mean.vtu", "");
+  writeTextFile(folder / "atlas.json", "{ \"of\": \"another program\" }\n");
+  EXPECT_FALSE(holdsAtlas(folder / ""));
+  requireNoAtlas(folder / "");
+  markAtlasBegun(folder / "");
+  EXPECT_TRUE(holdsAtlas(folder / ""));
+  EXPECT_THROW(requireNoAtlas(folder / ""), UsageError);
+  removeEarlierAtlas(folder / "");
+  EXPECT_EQ(folder.fileCount(), 0u);
+}
+
 TEST(EarlierAtlas, InputsThatTheOutputWouldReplaceAreRefused)
 {
   const TestFolder folder;

@@ -4,6 +4,7 @@
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
 #include "moserhex/Common/Random.h"
+#include "moserhex/Common/Types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace
 {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-constexpr double pi = 3.14159265358979323846;
 
 void
 requireArguments(const Matrix & scores, std::size_t points, const ModelQualityOptions & options)
@@ -92,8 +91,9 @@ columnMeans(const Matrix & values)
 Vector
 randomScores(const Vector & variances, std::size_t sample, std::uint64_t seed)
 {
-  Random random(Random(seed + sample).next());
-  Vector scores(variances.size());
+  constexpr std::uint64_t apart = 0xD1B54A32D192ED03ULL; // odd: no other seed near has one of these samples
+  Random                  random(Random(1 + (seed - 1) * apart + sample).next());
+  Vector                  scores(variances.size());
   for (Eigen::Index k = 0; k < variances.size(); ++k)
   {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform())); // Box and Muller

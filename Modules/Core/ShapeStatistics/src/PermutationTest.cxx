@@ -340,6 +340,15 @@ private:
       // T^2 = b^T Sigma^-1 b |effect left|^2
       m_Result.standardisedDifference = m_Result.statistic.cwiseSqrt() * (m_TwoValues / m_Design.mixing(0, 0));
     }
+    if (m_Components == 1 && m_Effects == 1) // of one number the effect has a direction
+    {
+      const Vector sign = m_Result.slope.row(0).transpose().unaryExpr([](double b) { return b < 0.0 ? -1.0 : 1.0; });
+      m_Result.partialCorrelation.array() *= sign.array();
+      if (m_Result.standardisedDifference.size() > 0)
+      {
+        m_Result.standardisedDifference.array() *= sign.array();
+      }
+    }
   }
 
   const SubjectTable & m_Table;

@@ -120,7 +120,7 @@ TEST(ModelQuality, SpecificityOfManySamplesOfOneModeIsTheIntegral)
   scores << -1, 0, 1;
   ModelQualityOptions options;
   options.samples = 20000;
-  const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * 3.14159265358979323846); };
+  const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * pi); };
   double     integral = 0.0;
   for (double x = -8.0; x < 8.0; x += 1e-3)
   {

@@ -11,6 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 using namespace moserhex;
 using namespace moserhex::testing;
 using Matrix = Eigen::MatrixXd;
@@ -56,8 +60,30 @@ TEST(PermutationTest, TheStatisticIsStudentsTSquared)
   EXPECT_EQ(result.degreesOfFreedom, 11u);
   EXPECT_NEAR(result.slope(0, 0), beta[0], 1e-12);
   EXPECT_NEAR(result.statistic[0], beta[0] * beta[0] / variance, 1e-9);
-  EXPECT_NEAR(result.partialCorrelation[0], std::sqrt(result.statistic[0] / (result.statistic[0] + 11.0)), 1e-12);
+  const double correlation = std::sqrt(result.statistic[0] / (result.statistic[0] + 11.0));
+  EXPECT_NEAR(result.partialCorrelation[0], beta[0] < 0.0 ? -correlation : correlation, 1e-12);
   EXPECT_EQ(result.standardisedDifference.size(), 0);
+  const auto turned = permutationTest(MatrixTable(Matrix(-y)), { x, z }, scalars(10));
+  EXPECT_NEAR(turned.partialCorrelation[0], -result.partialCorrelation[0], 1e-12);
+}
+
+TEST(PermutationTest, CohensDHasASign)
+{
+  Random random(23);
+  Matrix y = normalMatrix(20, 2, random);
+  y.col(0).tail(10).array() -= 3.0;
+  y.col(1).tail(10).array() += 3.0;
+  const auto result = permutationTest(MatrixTable(y), { groups(20), Matrix(20, 0) }, scalars(10));
+  for (Eigen::Index place = 0; place < 2; ++place)
+  {
+    const Vector first = y.col(place).head(10);
+    const Vector second = y.col(place).tail(10);
+    const double squares =
+      (first.array() - first.mean()).square().sum() + (second.array() - second.mean()).square().sum();
+    EXPECT_NEAR(
+      result.standardisedDifference[place], (second.mean() - first.mean()) / std::sqrt(squares / 18.0), 1e-10);
+  }
+  EXPECT_LT(result.standardisedDifference[0], 0.0);
 }
 
 TEST(PermutationTest, OfVectorsItIsHotellingsTSquared)
@@ -164,6 +190,60 @@ TEST(PermutationTest, ACovariateThatFollowsFromOthersIsLeftOut)
   EXPECT_EQ(result.p, expected.p);
 }
 
+TEST(PermutationTest, AllOrdersWithACovariateAreThoseOfRefittedModels)
+{
+  constexpr Eigen::Index subjects = 6;
+  constexpr Eigen::Index places = 3;
+  Random                 random(77);
+  const Vector           x = groups(subjects);
+  const Matrix           y = normalMatrix(subjects, places, random);
+  const Vector           z = x + Vector(normalMatrix(subjects, 1, random));
+  const auto             result = permutationTest(MatrixTable(y), { x, Matrix(z) }, scalars(1000000));
+
+  // Freedman and Lane: residuals of the reduced model in every order, its fit, and the whole model fitted anew.
+  Matrix reduced(subjects, 2);
+  reduced << Vector::Ones(subjects), z;
+  Matrix whole(subjects, 3);
+  whole << x, reduced;
+  const Matrix fit = reduced * reduced.colPivHouseholderQr().solve(y);
+  const Matrix residuals = y - fit;
+  const auto   statistics = [&whole](const Matrix & data) {
+    const Matrix beta = whole.colPivHouseholderQr().solve(data);
+    const double design = (whole.transpose() * whole).inverse()(0, 0);
+    Vector       t2(data.cols());
+    for (Eigen::Index place = 0; place < data.cols(); ++place)
+    {
+      const double sigma2 = (data.col(place) - whole * beta.col(place)).squaredNorm() / (subjects - 3.0);
+      t2[place] = beta(0, place) * beta(0, place) / (sigma2 * design);
+    }
+    return t2;
+  };
+  const Vector              own = statistics(y);
+  std::vector<Eigen::Index> order(subjects);
+  std::iota(order.begin(), order.end(), Eigen::Index{ 0 });
+  Vector p = Vector::Zero(places);
+  Vector pFamilyWise = Vector::Zero(places);
+  double orders = 0.0;
+  do
+  {
+    Matrix data = fit;
+    for (Eigen::Index subject = 0; subject < subjects; ++subject)
+    {
+      data.row(subject) += residuals.row(order[static_cast<std::size_t>(subject)]);
+    }
+    const Vector t2 = statistics(data);
+    for (Eigen::Index place = 0; place < places; ++place)
+    {
+      p[place] += t2[place] >= own[place] * (1.0 - 1e-9) ? 1.0 : 0.0;
+      pFamilyWise[place] += t2.maxCoeff() >= own[place] * (1.0 - 1e-9) ? 1.0 : 0.0;
+    }
+    orders += 1.0;
+  } while (std::next_permutation(order.begin(), order.end()));
+  EXPECT_EQ(static_cast<double>(result.permutations), orders);
+  EXPECT_LT((result.p - p / orders).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((result.pFamilyWise - pFamilyWise / orders).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(PermutationTest, PValuesOfNullDataAreUniform)
 {
   std::vector<double> p;
@@ -192,6 +272,21 @@ TEST(PermutationTest, TheFamilyWiseErrorIsControlled)
   }
   EXPECT_LE(found, 10 + 4 * 3.1); // 200 x 0.05, four standard errors
   EXPECT_GE(found, 1);
+}
+
+TEST(PermutationTest, TheFamilyWiseErrorIsControlledBesideACovariateThatGoesWithTheGroups)
+{
+  int found = 0;
+  for (std::uint64_t trial = 0; trial < 400; ++trial)
+  {
+    Random       random(9000 + trial);
+    auto         options = scalars(199, trial);
+    const Vector age = 1.5 * groups(24) + Vector(normalMatrix(24, 1, random));
+    const Matrix y = normalMatrix(24, 30, random) + age * Matrix::Constant(1, 30, 2.0); // by age alone
+    found += permutationTest(MatrixTable(y), { groups(24), Matrix(age) }, options).pFamilyWise.minCoeff() <= 0.05;
+  }
+  EXPECT_LE(found, 20 + 4 * 4.4); // 400 x 0.05, four standard errors
+  EXPECT_GE(found, 20 - 4 * 4.4);
 }
 
 TEST(PermutationTest, ABulgeOfTwoMillimetresInHalfOfFortyPhantomsIsFound)

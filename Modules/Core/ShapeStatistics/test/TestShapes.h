@@ -15,7 +15,7 @@ inline double
 normalNumber(Random & random)
 {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
-  return radius * std::cos(2.0 * 3.14159265358979323846 * random.uniform());
+  return radius * std::cos(2.0 * pi * random.uniform());
 }
 
 inline Eigen::MatrixXd

@@ -37,11 +37,12 @@ struct PermutationResult
   Eigen::VectorXd p;               ///< of the place alone
   Eigen::VectorXd pFamilyWise;     ///< corrected for the search over all places, by the largest statistic
   Eigen::VectorXd qFalseDiscovery; ///< smallest false discovery rate at which the place counts
-  Eigen::VectorXd partialCorrelation; ///< sqrt(V / s), in [0,1]; its square is the partial eta squared [1]
-  Eigen::VectorXd
-              standardisedDifference; ///< effect of two values: Cohen's d, of vectors Mahalanobis' D; else empty [1]
-  std::size_t permutations{ 0 };      ///< made, the subjects' own order among them
-  bool        areAllOrders{ false };  ///< all that there are were made
+  Eigen::VectorXd partialCorrelation; ///< sqrt(V / s), of one number and one effect with the slope's sign; its square
+                                      ///< is the partial eta squared [1]
+  Eigen::VectorXd standardisedDifference; ///< effect of two values: Cohen's d with its sign, of vectors Mahalanobis' D;
+                                          ///< else empty [1]
+  std::size_t permutations{ 0 };          ///< made, the subjects' own order among them
+  bool        areAllOrders{ false };      ///< all that there are were made
   bool        isExact{ false };       ///< the p are exact: all orders were made, and there is no nuisance but constants
   double      smallestPossibleP{ 1 }; ///< below it no p and no pFamilyWise can be with these orders, whatever the data
   std::size_t degreesOfFreedom{ 0 };  ///< N less the rank of constant, nuisance and effect
