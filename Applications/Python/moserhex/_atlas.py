@@ -73,8 +73,9 @@ class PermutationTest:
     p                        (L,) of the place alone
     p_family_wise            (L,) corrected for the search over all places
     q_false_discovery        (L,) smallest false discovery rate at which the place counts
-    partial_correlation      (L,) in [0, 1]; its square is the partial eta squared
-    standardised_difference  (L,) of two groups Cohen's d, of vectors Mahalanobis' D; else None
+    partial_correlation      (L,) in [0, 1], of one number and one effect with the slope's sign; its square is the partial
+                             eta squared
+    standardised_difference  (L,) of two groups Cohen's d with its sign, of vectors Mahalanobis' D; else None
     permutations             made, the subjects' own order among them
     is_exact                 they are all that there are, and there is no nuisance: p are exact
     smallest_possible_p      below it no p and no p_family_wise can be with these orders
@@ -151,10 +152,13 @@ def fit_shapes(
 def group_columns(groups: Array) -> Array:
     """The effect of k groups for `permutation_test`, (S, k - 1): column g is 1 for the subjects of group g + 1, else 0.
 
-    groups  (S,) words or numbers; group 0 is the first of them in order
+    groups  (S,) words or numbers, none missing (None, NaN, "NA"); group 0 is the first of them in order
 
     Raises Error: E_PRECONDITION, E_DIMENSION.
     """
+    for number, group in enumerate(numpy.ravel(numpy.asarray(groups, dtype=object))):
+        if group is None or group != group or str(group).lower() in ("", "n/a", "na", "nan", "null", "."):
+            raise _precondition(f"the group of subject {number} is missing: leave the subject out")
     names, numbers = numpy.unique(groups, return_inverse=True)
     return _moserhex.group_columns(numbers.reshape(numpy.shape(groups)), len(names))
 
@@ -193,6 +197,12 @@ def permutation_test(
     return PermutationTest(**result)
 
 
+def _precondition(message: str) -> Exception:
+    error = _moserhex.Error(message)
+    error.code = "E_PRECONDITION"
+    return error
+
+
 def _points_of(shapes: Shapes) -> Array:
     """The nodes of meshes in the space of the first, (S, P, 3); anything else as it is."""
     if isinstance(shapes, numpy.ndarray) or len(shapes) == 0 or not all(isinstance(one, Mesh) for one in shapes):
@@ -200,8 +210,6 @@ def _points_of(shapes: Shapes) -> Array:
     first = shapes[0]
     for number, mesh in enumerate(shapes):
         if (mesh.nodes_per_side, mesh.padding_layers) != (first.nodes_per_side, first.padding_layers):
-            error = _moserhex.Error(f"mesh {number} of {len(shapes)}: other nodes than mesh 0, mesh all alike")
-            error.code = "E_PRECONDITION"
-            raise error
+            raise _precondition(f"mesh {number} of {len(shapes)}: other nodes than mesh 0, mesh all alike")
     flip = numpy.array([-1.0, -1.0, 1.0])
     return numpy.stack([mesh.points if mesh.space == first.space else mesh.points * flip for mesh in shapes])

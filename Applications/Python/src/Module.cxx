@@ -1,8 +1,10 @@
 // The compiled part of the package moserhex: arrays in, one call of the library, arrays out.
+#include "ArgumentNames.h"
 #include "Arguments.h"
 #include "ArrayOutput.h"
 #include "Interruption.h"
 #include "MeshFile.h"
+#include "MeshRecord.h"
 #include "MeshReport.h"
 #include "PythonComparison.h"
 #include "PythonErrors.h"
@@ -56,7 +58,7 @@ meshSolidOf(LabelImage                         image,
             const std::optional<LabelValue> &  label,
             const std::optional<ScalarImage> & density,
             const app::MeshCommandOptions &    options,
-            const HexMesh *                    templateMesh,
+            const PythonMesh *                 templateMesh,
             TemplateRefinement                 refinement,
             Space                              space,
             Interruption &                     interruption)
@@ -75,13 +77,19 @@ meshSolidOf(LabelImage                         image,
   inputs.density = density ? density->image.GetPointer() : nullptr;
   if (templateMesh != nullptr)
   {
-    inputs.tied = app::tiedTo(*templateMesh, options);
+    inputs.tied = app::tiedTo(templateMesh->lattice(), options);
+    if (const auto turn = app::turnOfLattice("", templateMesh->record()))
+    {
+      inputs.tied->latticeTurn = turn->rotation;
+    }
     inputs.tied->refinement = std::move(refinement);
   }
   const auto pipeline = app::runPipeline(solid, inputs, options, goOn);
-  app::addResults(*pipeline, report);
+  app::addResults(*pipeline, inputs, report);
   const HexMesh & mesh = pipeline->GetHexMesh();
   HexMeshFields   fields = app::fieldsOf(mesh, solid, options.threads);
+  fields.meshArrays = app::recordOf(report);
+  report.warnings = withArguments(std::move(report.warnings));
   report.seconds = stopwatch.seconds();
   return std::make_unique<PythonMesh>(mesh, std::move(fields), space, report.warnings, toJson(report));
 }
@@ -152,9 +160,14 @@ makeMesh(const py::object &               labels,
   try
   {
     const py::gil_scoped_release release;
-    const HexMesh * const        lattice = templateMesh == nullptr ? nullptr : &templateMesh->lattice();
-    return meshSolidOf(
-      std::move(labelImage), chosen, densityImage, options, lattice, std::move(refinement), ownSpace, interruption);
+    return meshSolidOf(std::move(labelImage),
+                       chosen,
+                       densityImage,
+                       options,
+                       templateMesh,
+                       std::move(refinement),
+                       ownSpace,
+                       interruption);
   }
   catch (const Cancelled &)
   {
@@ -172,6 +185,7 @@ readMesh(const std::string & fileName, const std::string & space, bool sandbox)
   HexMesh                      mesh = latticeOf(file.mesh, fileName);
   HexMeshFields                fields;
   fields.scaledJacobian = app::scaledJacobiansOf(mesh);
+  fields.meshArrays = app::recordOf(fileName, file.meshArrays);
   return std::make_unique<PythonMesh>(std::move(mesh), std::move(fields), ownSpace, file.warnings, "");
 }
 

@@ -1,11 +1,15 @@
 #include "PythonComparison.h"
 
+#include "ArgumentNames.h"
 #include "Arguments.h"
 #include "ArrayOutput.h"
+#include "Comparison.h"
 #include "PythonMesh.h"
 #include "Unlocked.h"
-#include "moserhex/Deformation/CellDeformation.h"
-#include "moserhex/Deformation/LatticeAlignment.h"
+
+#include <pybind11/stl.h>
+
+#include <cstdint>
 
 namespace moserhex::python
 {
@@ -13,13 +17,6 @@ namespace
 {
 
 namespace py = pybind11;
-
-struct Comparison
-{
-  SimilarityTransform alignment;
-  Positions           displacement; ///< aligned follow-up minus baseline [mm, LPS]
-  CellDeformation     cells;
-};
 
 /** One number or matrix of every cell's strain. */
 template <typename TValue, typename TOf>
@@ -46,23 +43,27 @@ matrixOf(const SimilarityTransform & transform, Space space)
   return arrayOf(matrix);
 }
 
+/** \param name  of the mesh in messages */
+app::TimedMesh
+timedMesh(const PythonMesh & mesh, const std::string & name)
+{
+  return { { name, "" }, mesh.lattice(), mesh.record(), "" };
+}
+
 py::dict
 compare(const PythonMesh & baseline, const PythonMesh & followUp, const std::string & align, long long threads)
 {
-  const AlignmentKind     kind = alignmentFrom(align);
-  const unsigned int      count = threadsFrom(threads);
-  const Comparison        result = unlocked([&](Watch &) {
-    Comparison comparison;
-    comparison.alignment = latticeAlignment(followUp.lattice(), baseline.lattice(), kind);
-    const HexMesh moved = transformed(followUp.lattice(), comparison.alignment);
-    comparison.displacement = displacements(baseline.lattice(), moved);
-    comparison.cells = cellDeformation(baseline.lattice(), moved, count);
-    return comparison;
+  (void)alignmentFrom(align); // refuses unknown ones
+  const unsigned int          count = threadsFrom(threads);
+  const app::Comparison       comparison = unlocked([&](Watch &) {
+    return app::compareSeries(
+      app::timeSeriesOf({ timedMesh(baseline, "baseline"), timedMesh(followUp, "follow-up") }), align, {}, count);
   });
-  const Space             space = baseline.space();
-  const CellDeformation & cells = result.cells;
-  const auto              count3 = static_cast<py::ssize_t>(cells.strain.size());
-  py::dict                answer;
+  const app::TimeComparison & result = comparison.times[1];
+  const Space                 space = baseline.space();
+  const CellDeformation &     cells = result.cells;
+  const auto                  count3 = static_cast<py::ssize_t>(cells.strain.size());
+  py::dict                    answer;
   answer["alignment"] = matrixOf(result.alignment, space);
   answer["displacement"] = arrayOf(result.displacement, space);
   answer["growth"] = cells.growth;
@@ -76,6 +77,15 @@ compare(const PythonMesh & baseline, const PythonMesh & followUp, const std::str
     arrayOf(ofCells<double>(cells, [](const CellStrain & s) { return s.deviatoric; }), { count3 });
   answer["largest_stretch"] =
     arrayOf(ofCells<double>(cells, [](const CellStrain & s) { return s.largestStretch; }), { count3 });
+  answer["thickness_change"] = arrayOf(result.thicknessChange, Space::LPS);
+  const SurfaceMotion & surface = result.surface;
+  const auto            nodes = static_cast<py::ssize_t>(surface.nodes.size());
+  answer["surface_nodes"] =
+    py::array_t<std::int64_t>(nodes, std::vector<std::int64_t>(surface.nodes.begin(), surface.nodes.end()).data());
+  answer["normal_motion"] = arrayOf(surface.normalMotion, { nodes });
+  answer["signed_distance"] = arrayOf(surface.signedDistance, { nodes });
+  answer["baseline_signed_distance"] = arrayOf(surface.baselineSignedDistance, { nodes });
+  answer["warnings"] = py::tuple(py::cast(withArguments(comparison.series.warnings)));
   return answer;
 }
 

@@ -1,5 +1,6 @@
 #include "PythonErrors.h"
 
+#include "ArgumentNames.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/HexMeshIO/FileErrors.h"
 
@@ -17,36 +18,6 @@ namespace py = pybind11;
 constexpr const char * errorText =
   "What the library refuses or cannot do, in one line.\n\n"
   "`code` is a name that never changes, such as 'E_GEOMETRY'; Documentation/Errors.md lists them.";
-
-/** Messages name options as the command line has them: here they are arguments. */
-std::string
-withArguments(std::string text)
-{
-  const std::pair<const char *, const char *> names[] = { { "--allow-partial", "allow_partial=True" },
-                                                          { "--max-repair", "max_repair" },
-                                                          { "--topology repair", "topology='repair'" },
-                                                          { "--topology", "topology" },
-                                                          { "--stage exact", "stage='exact'" },
-                                                          { "--stage", "stage" },
-                                                          { "--shells", "shells" },
-                                                          { "--density", "density" },
-                                                          { "--label", "label" },
-                                                          { "--frame", "frame" },
-                                                          { "--template", "template" },
-                                                          { "--align", "align" },
-                                                          { "--padding", "padding" },
-                                                          { "--shell-method", "shell_method" },
-                                                          { "--threshold", "labels >= threshold" },
-                                                          { "--way", "way" } };
-  for (const auto & [option, argument] : names)
-  {
-    for (auto at = text.find(option); at != std::string::npos; at = text.find(option))
-    {
-      text.replace(at, std::char_traits<char>::length(option), argument);
-    }
-  }
-  return text;
-}
 
 void
 raise(const py::handle & type, ErrorCode code, const std::string & message)

@@ -118,7 +118,12 @@ void
 PythonMesh::write(const std::string & fileName) const
 {
   const py::gil_scoped_release release;
-  writeHexMesh(fileName, m_Mesh, m_Fields);
+  HexMeshFields                fields = m_Fields;
+  if (!holdsNamedArrays(fileName))
+  {
+    fields.meshArrays.clear();
+  }
+  writeHexMesh(fileName, m_Mesh, fields);
 }
 
 const CubeMap &

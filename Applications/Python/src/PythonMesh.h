@@ -78,6 +78,13 @@ public:
     return m_Mesh;
   }
 
+  /** How it was made, see MeshRecord.h. */
+  [[nodiscard]] const std::vector<NamedArray> &
+  record() const
+  {
+    return m_Fields.meshArrays;
+  }
+
   /** Made when first asked for, by any thread. \throws InvalidInput  a mesh with padding */
   [[nodiscard]] const CubeMap &
   cubeMap() const;

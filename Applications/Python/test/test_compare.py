@@ -37,6 +37,23 @@ class Deformation(FolderTest):
         self.assertLess(numpy.abs(comparison.strain).max(), 1e-12)
         self.assertLess(numpy.abs(comparison.alignment - numpy.eye(4)).max(), 1e-10)
 
+    def test_has_the_surface_and_what_makes_it_doubtful(self):
+        shift = numpy.array([0.0, 0.0, 100.0])
+        self.mesh.write(self.folder / "a.vtu")
+        same = moserhex.compare(moserhex.read(self.folder / "a.vtu"), self.mesh, align="none")
+        self.assertEqual(same.warnings, ())
+        self.assertEqual(same.surface_nodes.shape, (152,))  # 6^3 less 4^3
+        for values in (same.normal_motion, same.signed_distance, same.baseline_signed_distance):
+            self.assertLess(numpy.abs(values).max(), 1e-9)
+        self.assertEqual(same.thickness_change.shape, (216, 3))
+        far = moserhex.mesh(LABELS, RAS + numpy.outer([*shift, 0.0], [0, 0, 0, 1]), shells=3)
+        self.assertEqual(len(moserhex.compare(self.mesh, far).warnings), 0)
+        warnings = moserhex.compare(self.mesh, far, align="none").warnings
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn("from the baseline's (median)", warnings[0])
+        inexact = moserhex.mesh(LABELS, RAS, shells=3, stage="moser")
+        self.assertIn("was not made exact", moserhex.compare(self.mesh, inexact).warnings[0])
+
     def test_that_is_affine_is_found_exactly(self):
         matrix = numpy.array([[1.2, 0.1, 0.0], [0.0, 0.9, -0.2], [0.05, 0.0, 1.1]])
         after = moved(self.mesh, matrix, self.folder)
@@ -108,6 +125,18 @@ class Template(FolderTest):
             report = self.json("b.json")["template"]
             del report["file"], report["sha256"]
             self.assertEqual(tied.report["template"], report)
+
+    def test_hands_its_record_on(self):
+        turned = moserhex.mesh(LABELS, RAS, shells=3, frame="ridge")
+        turned.write(self.folder / "t.vtu")
+        tied = moserhex.mesh(self.FOLLOW_UP, RAS, template=moserhex.read(self.folder / "t.vtu"))
+        self.assertEqual(
+            tied.report.get("lattice_turn_degrees"), turned.report.get("lattice_turn_degrees"), tied.report["warnings"]
+        )
+        self.assertEqual(moserhex.compare(turned, tied).warnings, ())
+        for warning in tied.warnings:
+            self.assertNotIn("--", warning)
+        tied.write(self.folder / "t.msh")  # a format without arrays of the mesh
 
     def test_in_the_other_space_is_the_same_template(self):
         ras = moserhex.mesh(LABELS, RAS, shells=3)
