@@ -52,7 +52,7 @@ TEST(LabelSlice, BeyondTheImageIsEmpty)
 TEST(LabelSlice, OfAnObliqueImageHasTheSameArea)
 {
   LabelVolume  label = boxLabel();
-  const double angle = std::acos(-1.0) / 6.0;
+  const double angle = pi / 6.0;
   label.spacing = Vector3(1.0, 1.0, 1.0);
   label.direction << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
   const auto image = labelImageOf(label);

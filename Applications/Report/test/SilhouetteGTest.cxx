@@ -66,18 +66,16 @@ TEST(Silhouette, OfABallIsADisc)
     const double  norm = p.norm();
     return Vector3(norm > 0.0 ? Vector3(30.0 * p * p.cwiseAbs().maxCoeff() / norm) : p);
   });
-  const double  pi = std::acos(-1.0);
   EXPECT_NEAR(areaOf(pointsOf(silhouette(mesh))), pi * 900.0, 0.05 * pi * 900.0);
 }
 
 TEST(Silhouette, OfABentSolidHasItsHollow)
 {
   const HexMesh mesh = analytic::lattice(21, [](const Vector3 & i) {
-    const double angle = i[0] / 20.0 * std::acos(-1.0);
+    const double angle = i[0] / 20.0 * pi;
     const double radius = 20.0 + i[2] / 4.0;
     return Vector3(radius * std::cos(angle), i[1] / 4.0, radius * std::sin(angle));
   });
-  const double  pi = std::acos(-1.0);
   EXPECT_NEAR(areaOf(pointsOf(silhouette(mesh))), pi / 2.0 * (625.0 - 400.0), 0.25 * pi / 2.0 * 225.0);
 }
 

@@ -13,8 +13,6 @@ namespace moserhex::analytic
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
 void
 requirePositive(const char * what, double value)
 {

@@ -14,8 +14,6 @@ namespace moserhex::analytic
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
 TriangleMesh
 icosahedron()
 {

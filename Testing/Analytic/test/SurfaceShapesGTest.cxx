@@ -13,11 +13,6 @@
 using namespace moserhex;
 using namespace moserhex::analytic;
 
-namespace
-{
-const double pi = std::acos(-1.0);
-}
-
 TEST(Icosphere, HasTheCountsOfAQuadrisectedIcosahedron)
 {
   const TriangleMesh mesh = icosphere(3);

@@ -61,7 +61,7 @@ TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfTheirRadii)
   EXPECT_NEAR(found.median, 1.5, 0.1);
   EXPECT_NEAR(found.p05, 1.5, 0.1);
   EXPECT_NEAR(found.p95, 1.5, 0.1);
-  const double areas = 4.0 * 3.14159265358979323846 * (20.0 * 20.0 + 21.5 * 21.5);
+  const double areas = 4.0 * pi * (20.0 * 20.0 + 21.5 * 21.5);
   EXPECT_NEAR(found.weight, areas, 0.005 * areas);
 }
 

@@ -4,6 +4,7 @@
 
 #include "moserhex/Analytic/ObservedOrder.h"
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Types.h"
 #include "moserhex/Numerics/CosineTransform.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,6 @@ using namespace moserhex;
 
 namespace
 {
-const double pi = std::acos(-1.0);
 using SparseMatrix = CubeLatticeOperators::SparseMatrix;
 
 double

@@ -90,7 +90,7 @@ SimilarityTransform::inverse() const
 double
 SimilarityTransform::angle() const
 {
-  return Eigen::AngleAxis<double>(rotation).angle() * 180.0 / std::acos(-1.0);
+  return Eigen::AngleAxis<double>(rotation).angle() * 180.0 / pi;
 }
 
 SimilarityTransform

@@ -290,7 +290,6 @@ windingNumber(const TriangleMesh & surface, const Vector3 & p)
     const double  lc = c.norm();
     halfAngles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
-  constexpr double pi = 3.14159265358979323846;
   return halfAngles / (2 * pi);
 }
 

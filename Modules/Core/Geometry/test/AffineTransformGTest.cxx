@@ -19,7 +19,7 @@ TEST(AffineTransform, MapsPoints)
 
 TEST(AffineTransform, ItsTurnIsThatOfThePolarDecomposition)
 {
-  const double    degree = std::acos(-1.0) / 180.0;
+  const double    degree = pi / 180.0;
   const Matrix3   turn = Eigen::AngleAxis<double>(25.0 * degree, Vector3(1, -2, 2).normalized()).toRotationMatrix();
   AffineTransform transform;
   transform.matrix = turn * Vector3(0.5, 1.0, 1.7).asDiagonal();

@@ -85,7 +85,7 @@ TEST(RigidAlignment, AKnownSimilarityComesBack)
 
 TEST(RigidAlignment, AngleIsThatOfTheRotation)
 {
-  EXPECT_NEAR(someMotion(2.0).angle(), 2.5 * 180.0 / std::acos(-1.0), 1e-12);
+  EXPECT_NEAR(someMotion(2.0).angle(), 2.5 * 180.0 / pi, 1e-12);
   EXPECT_EQ(SimilarityTransform{}.angle(), 0.0);
 }
 

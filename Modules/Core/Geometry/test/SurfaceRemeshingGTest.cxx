@@ -15,8 +15,6 @@ using namespace moserhex;
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
 /** Latitude-longitude sphere of radius 1: slivers at the poles, a hard start. */
 TriangleMesh
 unevenSphere(int meridians, int parallels)

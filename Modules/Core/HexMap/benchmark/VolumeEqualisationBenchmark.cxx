@@ -18,7 +18,7 @@ constexpr double radius = 20.0;
 double
 ballVolume()
 {
-  return 4.0 / 3.0 * std::acos(-1.0) * radius * radius * radius;
+  return 4.0 / 3.0 * pi * radius * radius * radius;
 }
 
 double
@@ -47,7 +47,7 @@ ballLattice(int nodesPerSide)
 HexMesh
 unevenCube(int nodesPerSide)
 {
-  const double wave = std::acos(-1.0);
+  const double wave = pi;
   HexMesh      mesh{ nodesPerSide, {} };
   for (int k = 0; k < nodesPerSide; ++k)
   {

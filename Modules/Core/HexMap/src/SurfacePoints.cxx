@@ -178,7 +178,6 @@ surfacePoints(const Positions &      around,
               std::size_t            count,
               unsigned int           threads)
 {
-  const double pi = std::acos(-1.0);
   const double areaOfBall = std::cbrt(36.0 * pi * volume * volume);
   SampledBox   box(around, std::sqrt(crossingsPerArea * areaOfBall / static_cast<double>(count)));
   box.sample(phi, threads);

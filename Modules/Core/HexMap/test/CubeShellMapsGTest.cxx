@@ -16,7 +16,6 @@ using namespace moserhex;
 
 namespace
 {
-const double pi = std::acos(-1.0);
 
 /** Root mean square of the relative deviation of the quadrilaterals' solid angles from their mean 4 pi / number. */
 double

@@ -21,7 +21,6 @@ using namespace moserhex::testing;
 
 namespace
 {
-const double pi = std::acos(-1.0);
 
 double
 totalOf(const CellMeasure & measure, const HexMesh & mesh)

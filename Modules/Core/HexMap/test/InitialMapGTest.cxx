@@ -15,7 +15,6 @@ using namespace moserhex;
 
 namespace
 {
-const double pi = std::acos(-1.0);
 
 struct Organ
 {

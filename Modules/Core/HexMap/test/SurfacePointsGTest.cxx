@@ -25,7 +25,7 @@ const BentEllipsoid organ{ Vector3(8.0, 4.0, 5.0),
 double
 spacingFor(double volume, std::size_t count)
 {
-  return std::sqrt(1.5 * std::cbrt(36.0 * std::acos(-1.0) * volume * volume) / static_cast<double>(count));
+  return std::sqrt(1.5 * std::cbrt(36.0 * pi * volume * volume) / static_cast<double>(count));
 }
 
 /** Of the farthest point of one set from the other. */

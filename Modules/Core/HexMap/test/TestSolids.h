@@ -23,7 +23,7 @@ struct BentEllipsoid
   [[nodiscard]] double
   volume() const
   {
-    return 4.0 / 3.0 * std::acos(-1.0) * semiAxes.prod();
+    return 4.0 / 3.0 * pi * semiAxes.prod();
   }
 
   /** The solid's point that the ball's point of direction and radius comes to. */

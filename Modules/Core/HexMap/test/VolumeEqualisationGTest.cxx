@@ -157,7 +157,6 @@ struct HornedBall
   [[nodiscard]] double
   volume() const
   {
-    const double pi = std::acos(-1.0);
     const double root = std::sqrt(ballRadius * ballRadius - hornRadius * hornRadius);
     const double ball = 4.0 / 3.0 * pi * std::pow(ballRadius, 3);
     const double cylinder = pi * hornRadius * hornRadius * (reach - hornRadius);

@@ -21,7 +21,6 @@ using namespace moserhex::testing;
 
 namespace
 {
-const double pi = std::acos(-1.0);
 
 VolumetricMoserFlowOptions
 onePass()

@@ -153,7 +153,7 @@ TriangleMesh
 roughSurface(const ShellFunction & f, double volume, double triangles)
 {
   // Area of the shell by the ball of its volume: good enough to choose the grid.
-  const double area = std::cbrt(36.0 * 3.14159265358979323846 * volume * volume);
+  const double area = std::cbrt(36.0 * pi * volume * volume);
   const double h = f.levelSet.grid.spacing;
   const int    refinement =
     std::max(1, static_cast<int>(std::ceil(h / (gridSpacingInEdgeLengths * edgeLengthFor(area, triangles)))));

@@ -17,7 +17,6 @@ namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi = 3.14159265358979323846;
 
 std::vector<std::size_t>
 nodesInside(const LevelSet & phi)

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr double radius = 0.75;
-const double     ballVolume = 4.0 / 3.0 * std::acos(-1.0) * std::pow(radius, 3);
+const double     ballVolume = 4.0 / 3.0 * pi * std::pow(radius, 3);
 
 double
 toBall(const Vector3 & p)

@@ -18,8 +18,6 @@ using namespace moserhex;
 namespace
 {
 
-const double pi = std::acos(-1.0);
-
 LevelSet
 ball(int n, double radius)
 {

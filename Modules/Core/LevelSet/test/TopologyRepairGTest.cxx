@@ -99,7 +99,7 @@ TEST(TopologyRepair, TorusIsCutAcross)
   ASSERT_EQ(kindsOf(result.report), Kinds{ cutHandle });
   EXPECT_EQ(result.report.changes[0].handles, 1u);
   EXPECT_EQ(result.report.before.handles(), 1);
-  const double crossSection = M_PI * 4.0 * 4.0;
+  const double crossSection = pi * 4.0 * 4.0;
   EXPECT_LT(static_cast<double>(result.report.changes[0].voxels), 1.2 * crossSection);
   EXPECT_GT(static_cast<double>(result.report.changes[0].voxels), crossSection / std::sqrt(3.0)); // across a diagonal
   const Vector3 centre = result.report.changes[0].centre;
@@ -151,7 +151,7 @@ TEST(TopologyRepair, KnottedTubeIsCutOnce)
     double nearest = HUGE_VAL; // trefoil
     for (int step = 0; step < 300; ++step)
     {
-      const double t = 2.0 * M_PI * step / 300.0;
+      const double t = 2.0 * pi * step / 300.0;
       const double r = 13.0 + 6.0 * std::cos(3.0 * t);
       nearest =
         std::min(nearest, (p - Vector3(r * std::cos(2.0 * t), r * std::sin(2.0 * t), 7.0 * std::sin(3.0 * t))).norm());
@@ -215,7 +215,7 @@ TEST(TopologyRepair, CutsAndPlugsReachAsFarAsTheRadiusInMillimetres)
   const auto wide = repairAll(label, 2.0);
   ASSERT_EQ(kindsOf(wide.report), Kinds{ cutHandle });
   // From a sheet one voxel thick to 2 mm on both sides of it.
-  const double thickness = static_cast<double>(wide.report.voxelsRemoved) * label.voxelVolume() / (M_PI * 16.0);
+  const double thickness = static_cast<double>(wide.report.voxelsRemoved) * label.voxelVolume() / (pi * 16.0);
   EXPECT_NEAR(thickness, 4.5, 1.2);
   EXPECT_LT(thin.report.voxelsRemoved, wide.report.voxelsRemoved / 2);
 }

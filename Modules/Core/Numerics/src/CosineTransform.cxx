@@ -1,6 +1,7 @@
 #include "moserhex/Numerics/CosineTransform.h"
 
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Types.h"
 
 #include <cmath>
 #include <string>
@@ -9,7 +10,6 @@ namespace moserhex
 {
 namespace
 {
-const double pi = std::acos(-1.0);
 
 void
 requirePositive(int n, const char * what)

@@ -3,6 +3,7 @@
 #include "FieldLines.h"
 #include "moserhex/Common/Errors.h"
 #include "moserhex/Common/Parallel.h"
+#include "moserhex/Common/Types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -309,7 +310,6 @@ Eigen::VectorXd
 laplacianEigenvalues(int n, CubeTransform::Basis basis)
 {
   requireSize(n);
-  const double    pi = std::acos(-1.0);
   Eigen::VectorXd eigenvalues(n);
   for (int a = 0; a < n; ++a)
   {

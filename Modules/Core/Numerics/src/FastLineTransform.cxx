@@ -1,5 +1,7 @@
 #include "LineTransform.h"
 
+#include "moserhex/Common/Types.h"
+
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -17,8 +19,6 @@ namespace moserhex
 namespace
 {
 using Complex = std::complex<double>;
-
-const double pi = std::acos(-1.0);
 
 /** Two real lines go through one complex transform z = x + i y of their length. Values i of both lie side by side in
  * the panel, so a pair of lines is a line of complex numbers. */

@@ -1,5 +1,7 @@
 #include "moserhex/Numerics/GaussLegendre.h"
 
+#include "moserhex/Common/Types.h"
+
 #include <cmath>
 
 namespace moserhex
@@ -8,8 +10,7 @@ namespace moserhex
 GaussRule
 gaussLegendre(int q)
 {
-  constexpr double pi = 3.14159265358979323846;
-  GaussRule        rule;
+  GaussRule rule;
   for (int i = 0; i < q; ++i)
   {
     double z = -std::cos(pi * (i + 0.75) / (q + 0.5));

@@ -4,6 +4,7 @@
 
 #include "RandomField.h"
 #include "moserhex/Common/Errors.h"
+#include "moserhex/Common/Types.h"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
@@ -71,7 +72,7 @@ TEST(CosineTransform, RowsAreEigenvectorsOfTheOneDimensionalLaplacian)
   const Eigen::MatrixXd cosines = cosineMatrix(n);
   for (int a = 0; a < n; ++a)
   {
-    const double eigenvalue = 2.0 - 2.0 * std::cos(std::acos(-1.0) * a / n);
+    const double eigenvalue = 2.0 - 2.0 * std::cos(pi * a / n);
     for (int i = 0; i < n; ++i)
     {
       double laplacian = 0.0;

@@ -14,8 +14,6 @@ namespace
 using Matrix2 = Eigen::Matrix2d;
 using Vector2 = Eigen::Vector2d;
 
-constexpr double pi = 3.14159265358979323846;
-
 AreaBarrierSystem::Basis
 tangentBasis(const Vector3 & s)
 {

@@ -20,7 +20,6 @@ namespace moserhex
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 // A narrow range: the triangles of a coarse level say little about the shape they stand for.
 constexpr double smallestShapeWeight = 0.2;
 constexpr double largestShapeWeight = 2.0;

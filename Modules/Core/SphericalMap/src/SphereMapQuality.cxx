@@ -14,7 +14,6 @@ namespace moserhex
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double degrees = 180.0 / pi;
 
 double

@@ -97,7 +97,7 @@ TEST(AreaPreservingMap, GuaranteeHoldsOnPhantoms)
     const auto             result = areaPreservingSphereMap(surface);
     const SphereMapQuality quality = sphereMapQuality(surface, result.positions);
     EXPECT_EQ(quality.flippedTriangles, 0) << name;
-    EXPECT_NEAR(quality.solidAngleSum, 4.0 * 3.14159265358979323846, 1e-9) << name;
+    EXPECT_NEAR(quality.solidAngleSum, 4.0 * pi, 1e-9) << name;
     EXPECT_LE(quality.areaRatioRms, 0.01) << name << ", path " << result.path;
     EXPECT_EQ(quality.areaRatioRms, result.quality.areaRatioRms) << name;
     EXPECT_FALSE(result.path.empty());

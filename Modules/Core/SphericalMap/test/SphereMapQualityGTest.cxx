@@ -13,8 +13,6 @@ using namespace moserhex;
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
 Positions
 projected(const TriangleMesh & mesh)
 {

@@ -10,7 +10,6 @@ namespace moserhex
 {
 namespace
 {
-const double     pi = std::acos(-1.0);
 const double     root2 = std::sqrt(2.0);
 constexpr double surfaceTolerance = 1e-9;
 

@@ -16,7 +16,6 @@ using namespace moserhex;
 
 namespace
 {
-const double pi = std::acos(-1.0);
 
 /** The rotations of the cube: signed permutation matrices of determinant 1. */
 std::vector<Matrix3>

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr double radius = 10.0;
-constexpr double volume = 4.0 / 3.0 * 3.141592653589793 * radius * radius * radius;
+constexpr double volume = 4.0 / 3.0 * pi * radius * radius * radius;
 
 LevelSet
 onBall(bool ordering)

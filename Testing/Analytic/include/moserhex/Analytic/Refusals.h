@@ -2,6 +2,7 @@
 
 #include "moserhex/Common/Errors.h"
 
+#include <stdexcept>
 #include <string>
 
 namespace moserhex::analytic
@@ -21,6 +22,22 @@ messageOf(const TCall & call)
     return error.what();
   }
   return "accepted";
+}
+
+/** The code of the Error that `call` throws. \throws std::runtime_error  it throws none */
+template <typename TCall>
+[[nodiscard]] ErrorCode
+codeThrownBy(const TCall & call)
+{
+  try
+  {
+    call();
+  }
+  catch (const Error & error)
+  {
+    return error.code();
+  }
+  throw std::runtime_error("accepted");
 }
 
 } // namespace moserhex::analytic

@@ -25,6 +25,8 @@ using Matrix3 = Eigen::Matrix3d;
 /** Points of a mesh, one entry per vertex or node, in LPS millimetres unless a function says otherwise. */
 using Positions = std::vector<Vector3>;
 
+inline constexpr double pi = 3.14159265358979323846; ///< half of a turn [rad]
+
 /** Vertex and node numbers stored in connectivity. */
 using VertexIndex = std::int32_t;
 
