@@ -2,10 +2,10 @@
 
 #include "CommandErrors.h"
 #include "CorrespondingLandmarks.h"
-#include "MeshRecord.h"
 #include "itkDensityConversion.h"
 #include "moserhex/HexMeshIO/HexMeshReader.h"
 #include "moserhex/HexMeshIO/TransformFile.h"
+#include "moserhex/Quality/HexQuality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +67,20 @@ requireTemplate(const HexMesh & mesh, const MeshCommandOptions & options)
   }
 }
 
+/** \throws BadInput  growth against uneven cells cannot be told */
+void
+requireEqualCells(const HexMesh & mesh, const MeshCommandOptions & options)
+{
+  constexpr double equal = 1e-6; // variance of the volumes [1]
+  if (!(volumeQuality(mesh).volumeVariance <= equal))
+  {
+    throw BadInput(ErrorCode::Template,
+                   options.templateMesh,
+                   "the volumes of its cells differ, so growth against it cannot be told",
+                   "tie to a mesh of equal cells");
+  }
+}
+
 } // namespace
 
 ScalarVolume
@@ -97,13 +111,45 @@ readTemplate(const MeshCommandOptions & options)
     inputs.latticeTurn = turn->rotation;
     inputs.warnings.push_back(fileMessage(options.templateMesh, turn->description, "this mesh is turned alike"));
   }
+  for (const std::string & warning : templateCellWarnings(cellRecordOf(options.templateMesh, file.meshArrays), options))
+  {
+    inputs.warnings.push_back(warning);
+  }
   return inputs;
+}
+
+std::vector<std::string>
+templateCellWarnings(const CellRecord & cells, const MeshCommandOptions & options)
+{
+  std::vector<std::string> warnings;
+  const auto               warn = [&](const char * what, const char * consequence) {
+    warnings.push_back(fileMessage(options.templateMesh, what, consequence));
+  };
+  if (cells.hasDensity && options.density.empty())
+  {
+    warn("its cells hold equal masses of a density, those of this mesh equal volumes",
+         "nodes differ by that, too: give the same --density to both");
+  }
+  if (cells.hasLocalGrowth)
+  {
+    warn("its cells were free to grow, those of this mesh are not against it",
+         "nodes differ by that, too: tie all visits to the baseline");
+  }
+  if (cells.isInexact)
+  {
+    warn("it was not made exact, or fell short of it", "nodes differ by what its cells are uneven");
+  }
+  return warnings;
 }
 
 TemplateInputs
 tiedTo(HexMesh mesh, const MeshCommandOptions & options)
 {
   requireTemplate(mesh, options);
+  if (options.localGrowth)
+  {
+    requireEqualCells(mesh, options);
+  }
   TemplateInputs inputs;
   inputs.mesh = std::move(mesh);
   if (isAlignedByFile(options))

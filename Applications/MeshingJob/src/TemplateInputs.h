@@ -1,6 +1,7 @@
 #pragma once
 
 #include "MeshOptions.h"
+#include "MeshRecord.h"
 #include "moserhex/Geometry/HexMesh.h"
 #include "moserhex/HexMeshIO/RunReport.h"
 #include "moserhex/HexMeshIO/ScalarImageReader.h"
@@ -33,10 +34,16 @@ comparableVolume(const ScalarImage & image);
 
 /** Reads what options say of a template in memory: its transform, landmarks and images.
  * \param mesh  named in messages as options.templateMesh
- * \throws BadInput  the mesh has another number of shells, or padding; a file is none of what it should be: a transform
- * that keeps its cells' orientation; landmarks of which some correspond; images with finite values; IOError */
+ * \throws BadInput  the mesh has another number of shells, or padding, or uneven cells, for local growth; a file is
+ * none of what it should be: a transform that keeps its cells' orientation; landmarks of which some correspond; images
+ * with finite values; IOError */
 [[nodiscard]] TemplateInputs
 tiedTo(HexMesh mesh, const MeshCommandOptions & options);
+
+/** What makes nodes of a template and of a mesh that is tied to it differ although nothing has changed: cells that are
+ * other parts of the organ. \param cells  of the template */
+[[nodiscard]] std::vector<std::string>
+templateCellWarnings(const CellRecord & cells, const MeshCommandOptions & options);
 
 /** The same with the mesh of a file, options.templateMesh. */
 [[nodiscard]] TemplateInputs

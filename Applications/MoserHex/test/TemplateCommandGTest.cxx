@@ -467,6 +467,41 @@ TEST_F(TemplateCommand, ANoduleThatDoublesIsMeasured)
   EXPECT_NEAR(found, 2.0, 0.4); // cells of 5 mm, a ball of 10
 }
 
+TEST_F(TemplateCommand, ATemplateWhoseCellsAreOtherPartsOfTheOrganIsAWarning)
+{
+  HexMeshFields fields;
+  for (const char * array : { "MeanDensity", "SmallestGrowth", "NotExact" })
+  {
+    fields.meshArrays.push_back({ array, 1, { 1.0 } });
+  }
+  const HexMesh baseline = readHexMesh(path("baseline.vtu"));
+  writeHexMesh(path("baseline.vtu"), baseline, fields);
+  const Outcome outcome = tied("prostate.nrrd", { "--align=none" });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  for (const char * what : { "hold equal masses of a density", "were free to grow", "was not made exact" })
+  {
+    EXPECT_NE(outcome.error.find(what), std::string::npos) << outcome.error;
+  }
+}
+
+TEST_F(TemplateCommand, LocalGrowthNeedsATemplateOfEqualCells)
+{
+  HexMesh uneven = readHexMesh(path("baseline.vtu"));
+  for (Vector3 & node : uneven.nodes)
+  {
+    node += 0.002 * node[0] * node[0] * Vector3::UnitX();
+  }
+  writeHexMesh(path("baseline.vtu"), uneven);
+  const LabelVolume gland = makeSampleProstate().gland;
+  writeBall("t.nrrd", gland, 10.0);
+  const Outcome outcome =
+    tied("prostate.nrrd",
+         { "--align=none", "--image=" + path("t.nrrd"), "--template-image=" + path("t.nrrd"), "--local-growth" });
+  expectErrorCode(outcome, "E_TEMPLATE");
+  EXPECT_NE(outcome.error.find("baseline.vtu: the volumes of its cells differ"), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("tie to a mesh of equal cells"), std::string::npos) << outcome.error;
+}
+
 TEST_F(TemplateCommand, RefinementsThatAreHalfGivenAreRefused)
 {
   expectErrorCode(tied("prostate.nrrd", { "--local-growth" }), "E_USAGE");

@@ -78,6 +78,8 @@ meshSolidOf(LabelImage                         image,
   if (templateMesh != nullptr)
   {
     inputs.tied = app::tiedTo(templateMesh->lattice(), options);
+    const auto ofCells = app::templateCellWarnings(app::cellRecordOf("", templateMesh->record()), options);
+    report.warnings.insert(report.warnings.end(), ofCells.begin(), ofCells.end());
     if (const auto turn = app::turnOfLattice("", templateMesh->record()))
     {
       inputs.tied->latticeTurn = turn->rotation;

@@ -208,7 +208,7 @@ TemplateRefiner::TemplateRefiner(const HexMesh & templateMesh, const TemplateRef
   }
   if (refinement.images)
   {
-    requireCovered(refinement.images->ofTemplate, templateMesh.nodes, templateSide);
+    requireCovered(refinement.images->ofTemplate, latticeSamples(templateMesh), templateSide); // a scan may end at it
   }
 }
 
