@@ -117,6 +117,6 @@ function(moserhex_add_tests)
   target_link_libraries(${executable} PRIVATE ${libraries} MoserHex::Warnings GTest::gtest_main)
   target_compile_definitions(${executable} PRIVATE
     MOSERHEX_DEVELOPMENT_DATA="${MoserHex_DEVELOPMENT_DATA}")
-  gtest_discover_tests(${executable} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${arg_NAME}.
+  gtest_discover_tests(${executable} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 TEST_PREFIX ${arg_NAME}.
     PROPERTIES LABELS "${arg_NAME};${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ${sanitizer_reports})
 endfunction()
