@@ -216,6 +216,43 @@ TEST(LocalGrowth, IsFoundInNoise)
   EXPECT_NEAR(growthBetween(result.mesh, 7.0, 100.0), around(), 0.04);
 }
 
+TEST(LocalGrowth, IsHiddenInPartByOtherContrast)
+{
+  const auto withTexture = [](double radius, double amplitude) { // unchanged, beyond 9 mm from the ball's middle
+    ScalarVolume image = imageOfBall(radius, 50.0);
+    for (int k = 0; k < image.size[2]; ++k)
+    {
+      for (int j = 0; j < image.size[1]; ++j)
+      {
+        for (int i = 0; i < image.size[0]; ++i)
+        {
+          const Vector3 p = image.point(i, j, k);
+          const double  faded = std::clamp(0.5 * ((p - middle).norm() - 9.0), 0.0, 1.0);
+          const double  waves = std::sin(0.8 * p[0]) + std::cos(0.7 * p[1]) + std::sin(0.6 * p[2]);
+          image.values[image.voxelNumber(i, j, k)] += amplitude * faded * waves;
+        }
+      }
+    }
+    return image;
+  };
+  for (const double amplitude : { 30.0, 60.0 })
+  {
+    for (const bool shrinks : { false, true })
+    {
+      const double        before = shrinks ? radiusAfter : radiusBefore;
+      const double        after = shrinks ? radiusBefore : radiusAfter;
+      SolidMeshingOptions options = tied(true);
+      options.refinement.images = CorrespondingImages{ withTexture(before, amplitude), withTexture(after, amplitude) };
+      const SolidMeshingResult result = meshed(options);
+      const double             found = growthBetween(result.mesh, 0.0, before);
+      std::cout << "waves of " << amplitude << ", contrast of the ball 50, true growth " << (shrinks ? 0.5 : 2.0)
+                << ": found " << found << std::endl;
+      EXPECT_GT(shrinks ? 1.0 / found : found, 1.35); // the right way, and a good part
+      EXPECT_LT(shrinks ? 1.0 / found : found, 2.2);
+    }
+  }
+}
+
 TEST(LocalGrowth, ShowsByLandmarksToo)
 {
   SolidMeshingOptions options = tied(true);
